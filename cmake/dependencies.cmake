@@ -1,0 +1,20 @@
+# Packaged libraries only. Each is found the way its package offers itself.
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(glfw3 3.3 REQUIRED)
+find_package(glm REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
+pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui)
+if(PUSHFORWARD_TESTS)
+  find_package(doctest REQUIRED)
+endif()
+# stb is header-only here; CLI11 too.
+find_path(STB_INCLUDE_DIR stb/stb_image_write.h REQUIRED)
+find_path(CLI11_INCLUDE_DIR CLI/CLI.hpp REQUIRED)
+
+# Where assets are found: next to an installed binary, else in the source tree.
+add_library(pf_assets INTERFACE)
+target_compile_definitions(pf_assets INTERFACE PUSHFORWARD_SOURCE_ASSETS="${PROJECT_SOURCE_DIR}/assets"
+  PUSHFORWARD_SOURCE_SHADERS="${PROJECT_SOURCE_DIR}/shaders")

@@ -1,0 +1,44 @@
+// A shape made ready for use: containment, distance, normals, exact measure, surface quadrature.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/math/expression.hpp"
+#include "core/scene/scene.hpp"
+
+namespace pf {
+
+/// Axis-aligned bounds; infinite where the shape is (half spaces).
+struct Bounds {
+  Vec3 min, max;
+};
+
+/// A quadrature point of a reference surface: THEORY T3, "points of the loaded surface".
+struct SurfacePoint {
+  Vec3 position;
+  Vec3 normal;  ///< outward, unit
+  double area;  ///< [m^2]; in 2D length times unit thickness
+};
+
+/// A closed set of points in 2D or 3D. `tolerance` is absolute [m]; INTERFACE fine print 4 uses 1e-9 dx.
+class Solid {
+ public:
+  virtual ~Solid() = default;
+  virtual bool contains(const Vec3& p, double tolerance) const = 0;
+  /// Signed distance, negative inside; exact for primitives, a bound of the right sign for booleans and `where`.
+  virtual double distance(const Vec3& p) const = 0;
+  /// Outward unit normal of the nearest surface point (gradient of distance()).
+  virtual Vec3 normal(const Vec3& p) const = 0;
+  virtual Bounds bounds() const = 0;
+  /// Area (2D, unit thickness) or volume; exact for box, ball, cylinder and polygon, by sub-cell integration
+  /// with cell size `h` otherwise. Infinite for unbounded shapes.
+  virtual double measure(double h) const = 0;
+  /// Points of the surface, spaced by at most `h`, whose areas add up to the surface's own.
+  virtual std::vector<SurfacePoint> surface(double h) const = 0;
+};
+
+/// `shape` has been checked. Expressions in it may use `constants`.
+std::unique_ptr<Solid> make_solid(const Shape& shape, int dimension, const Constants& constants);
+
+}  // namespace pf

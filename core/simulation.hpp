@@ -1,0 +1,87 @@
+// The simulation as the rest of the program sees it: no dimension, no templates.
+#pragma once
+
+#include <atomic>
+#include <iosfwd>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.hpp"
+#include "core/snapshot.hpp"
+#include "core/step_report.hpp"
+
+namespace pf {
+
+/// The mouse holds material: particles within `radius` of `from` when it began are pulled towards `to` by a
+/// spring energy in the implicit solve (core/energies/grab.hpp).
+struct Grab {
+  Vec3 from = Vec3::Zero();  ///< where it was taken [m]
+  Vec3 to = Vec3::Zero();    ///< where the mouse is [m]
+  double radius = 0;         ///< [m]
+};
+
+/// One probe at the newest state (INTERFACE, probes.csv).
+struct ProbeReading {
+  std::size_t probe = 0;
+  std::uint32_t particle = 0;  ///< id
+  Vec3 x = Vec3::Zero(), v = Vec3::Zero();
+  Mat3 sigma = Mat3::Zero();  ///< Cauchy [Pa]
+};
+
+/// Everything about one particle, by id: the inspector and the exporters.
+struct ParticleState {
+  std::uint32_t id = 0;
+  std::uint16_t body = 0, material = 0;
+  double mass = 0, volume0 = 0;
+  Vec3 X = Vec3::Zero(), x = Vec3::Zero(), v = Vec3::Zero();
+  Mat3 F = Mat3::Identity(), sigma = Mat3::Zero();
+  double energy_density = 0;
+};
+
+struct SimulationOptions {
+  int threads = 0;  ///< 0: all hardware threads; never changes a result
+};
+
+/// Owns particles and grid. Not thread-safe: one thread calls it; only `cancel` may be set from another.
+class Simulation {
+ public:
+  virtual ~Simulation() = default;
+
+  virtual const Scene& scene() const = 0;
+  virtual std::size_t particle_count() const = 0;
+  virtual double time() const = 0;
+  /// Report of the newest accepted state; of the initial one before the first step.
+  virtual const StepReport& report() const = 0;
+
+  /// One accepted step of at most `time.step` (shorter at the end, or after retries). On anything but
+  /// `accepted` the particles are what they were before the call, to the byte. `finished`: t >= end.
+  virtual const StepReport& step(const std::atomic<bool>* cancel = nullptr) = 0;
+  /// Lets step() go on past scene().time.end.
+  virtual void set_end(double end) = 0;
+  /// Applies a changed scene between steps. False, and nothing done, when the change needs a reset (Setting::applies).
+  virtual bool apply(const Scene& scene) = 0;
+  virtual void set_grab(const std::optional<Grab>& grab) = 0;
+
+  virtual void capture(const SnapshotRequest& request, Snapshot& into) const = 0;
+  virtual std::vector<ProbeReading> probes() const = 0;
+  /// All particles ordered by id.
+  virtual std::vector<ParticleState> particles() const = 0;
+  virtual ParticleState particle(std::uint32_t id) const = 0;
+  /// What the solver chose and why ("auto"), for the interface and summary.json.
+  virtual std::string solver_choice() const = 0;
+
+  /// The complete state, byte for byte; load refuses another scene's (InputError).
+  virtual void save_state(std::ostream& out) const = 0;
+  virtual void load_state(std::istream& in) = 0;
+};
+
+/// Bytes that the scene will need at its peak, estimated without building it.
+double estimated_memory(const Scene& scene);
+/// The only place that switches on dimension and names. Throws InputError (pointer, found, allowed), also when
+/// estimated_memory exceeds the machine's.
+std::unique_ptr<Simulation> make_simulation(const Scene& scene, const SimulationOptions& options = {});
+
+}  // namespace pf

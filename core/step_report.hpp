@@ -1,0 +1,77 @@
+// What one step did: the numbers behind stats.csv, the plots and the messages.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/types.hpp"
+
+namespace pf {
+
+enum class StepStatus { accepted, cancelled, failed, finished };
+
+/// One Newton iteration (THEORY T4).
+struct NewtonIteration {
+  double residual = 0;     ///< relative, T4's criterion, at the start of the iteration
+  double energy = 0;       ///< incremental potential E [J]
+  double step_length = 0;  ///< accepted by the line search, 0 when none was taken
+  int linear_iterations = 0;
+  bool projected = false;  ///< the tangent was projected to positive semi-definite
+  bool residual_search = false;  ///< energy differences were lost in rounding: searched on the gradient's norm
+};
+
+/// Wall time by phase [ms].
+struct PhaseTimes {
+  double sort = 0, transfer = 0, assemble = 0, linear_solve = 0, line_search = 0, update = 0, diagnostics = 0;
+  double total = 0;
+};
+
+/// Work counted in particle visits by kernel: deterministic, free of clock noise.
+struct Work {
+  std::uint64_t p2g = 0, g2p = 0, energy = 0, gradient = 0, tangent = 0, hessian_product = 0, assembly = 0;
+};
+
+/// Sums over particles at the end of the step (INTERFACE, stats.csv).
+struct Balance {
+  double kinetic = 0, elastic = 0, potential = 0;  ///< [J]; potential = -sum m g.x
+  Vec3 momentum = Vec3::Zero();                     ///< [kg m/s]
+  Vec3 angular_momentum = Vec3::Zero();             ///< [kg m^2/s], about the origin; only z in 2D
+  double total() const { return kinetic + elastic + potential; }
+};
+
+/// How a step changed the angular momentum [kg m^2/s], by cause (THEORY T6).
+struct AngularLedger {
+  Vec3 transfer = Vec3::Zero();          ///< particles -> grid -> particles
+  Vec3 time_integration = Vec3::Zero();  ///< the step on the grid: dt sum M v^{n+1} x v^n, and contact, loads
+};
+
+struct ErrorNorms {
+  bool known = false;  ///< the scene has an exact motion
+  double l2 = 0, max = 0, velocity_l2 = 0, F_l2 = 0;
+};
+
+struct StepReport {
+  StepStatus status = StepStatus::accepted;
+  long step = 0;     ///< index of the state that the report describes; 0 is the initial state
+  double time = 0;   ///< [s]
+  double dt = 0;     ///< of this step [s]
+  std::vector<NewtonIteration> newton;
+  double residual = 0;  ///< final relative value
+  int linear_iterations = 0;
+  Balance balance;
+  AngularLedger angular;
+  ErrorNorms error;
+  double min_J = 1, max_J = 1;
+  int active_nodes = 0;
+  double cfl = 0;  ///< max |v_p| dt / dx
+  int retries = 0;  ///< how often the step was begun again with a smaller dt
+  double grab_force = 0;  ///< magnitude of the mouse spring's force [N]
+  PhaseTimes ms;
+  Work work;
+  std::vector<std::string> warnings;  ///< for the user: what happened, what was done
+  std::string failure;                ///< status failed: which particle, why, what to try
+};
+
+}  // namespace pf
