@@ -30,6 +30,11 @@ class Solid {
   virtual double distance(const Vec3& p) const = 0;
   /// Outward unit normal of the nearest surface point (gradient of distance()).
   virtual Vec3 normal(const Vec3& p) const = 0;
+  /// Contact (THEORY T7): appends the unit normals, pointing out of the solid, of every face that p lies behind.
+  /// Not inverted: the nearest face (a convex body pushes one way); union: those of every member that holds p.
+  /// Inverted (the solid is the outside): every face of the container beyond which p lies, so that a corner
+  /// gives two or three constraints and not one diagonal one. Nothing when p is outside the solid.
+  virtual void contact_normals(const Vec3& p, bool inverted, double tolerance, std::vector<Vec3>& normals) const = 0;
   virtual Bounds bounds() const = 0;
   /// Area (2D, unit thickness) or volume; exact for box, ball, cylinder and polygon, by sub-cell integration
   /// with cell size `h` otherwise. Infinite for unbounded shapes.
