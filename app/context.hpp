@@ -1,0 +1,83 @@
+// What every panel and mouse tool may see and do. Panels read it and call its actions; they own no state of
+// the run.
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/session.hpp"
+#include "core/scene/scene.hpp"
+#include "core/snapshot.hpp"
+
+namespace pf::app {
+
+enum class Theme { dark, light };
+
+/// What is shown and how: nothing here touches the physics.
+struct ViewState {
+  Field field = Field::speed;
+  bool lock_range = false;
+  double range_min = 0, range_max = 1;  ///< of the colour map, in the field's unit
+  bool show_particles = true;
+  bool deformed_particles = true;  ///< 2D: squares mapped by F; 3D: F-ellipsoids; else points, spheres
+  bool show_grid = false;          ///< lattice, active cells and nodes
+  bool show_velocities = false;    ///< node velocities as arrows
+  bool show_bent_grid = false;     ///< images of the grid lines under phi^
+  double bent_magnification = 1;
+  bool show_boundaries = true;
+  Theme theme = Theme::dark;
+  float ui_scale = 1;
+  bool hide_panels = false;  ///< Tab
+};
+
+/// Curves of one run, kept for the plots.
+struct RunHistory {
+  std::string label;
+  bool pinned = false;
+  std::vector<StepReport> reports;
+};
+
+struct AppContext {
+  Session& session;
+
+  // The scene being edited; a panel changes it only through change().
+  Scene scene;
+  std::filesystem::path scene_file;  ///< empty: not saved yet
+  bool unsaved = false;
+
+  ViewState view;
+  std::shared_ptr<const Snapshot> snapshot;  ///< this frame's; may be null
+  SessionStatus status;                      ///< this frame's
+  RunHistory current;
+  std::deque<RunHistory> pinned;
+  std::optional<std::uint32_t> selected_particle;
+  std::optional<ParticleState> inspected;
+  std::vector<Problem> problems;  ///< of the last refused edit or scene file, shown with their pointers
+  std::string problems_source;
+
+  // Actions, supplied by the window.
+  /// Applies edits to the scene (validated; refused ones leave it and fill `problems`), sends it to the session,
+  /// records undo. True when accepted.
+  std::function<bool(const std::vector<Edit>&)> change;
+  std::function<void(const std::filesystem::path&)> open_file;
+  std::function<void()> ask_open, ask_save_as, save, undo, redo, fit_view, save_picture, pin;
+  std::function<void(const std::string&)> notify;  ///< a short message at the window's edge
+};
+
+/// A panel of the left column, the right inspector or the bottom drawer: one file in panels/, one line in its table.
+enum class Dock { left, right, bottom };
+struct Panel {
+  const char* title;
+  Dock dock;
+  /// False hides it: a scene without a boundary shows no friction.
+  bool (*relevant)(const AppContext&);
+  void (*draw)(AppContext&);
+};
+const std::vector<Panel>& panels();
+
+}  // namespace pf::app

@@ -1,0 +1,84 @@
+// The worker: it alone owns the Simulation. The window sends commands and reads snapshots; neither waits.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.hpp"
+#include "core/scene/scene_io.hpp"
+#include "core/simulation.hpp"
+#include "core/snapshot.hpp"
+
+namespace pf::app {
+
+enum class RunState { loading, paused, running, finished, failed };
+enum class AtEnd { pause, go_on, loop };
+
+/// How far the newest edit has come: shown in the next frame, while the step that it waits for still runs.
+struct Acknowledgement {
+  std::uint64_t edit = 0;     ///< number of the newest edit accepted for application
+  long applies_at_step = -1;  ///< step after which it applies; -1: nothing pending
+  bool needs_reset = false;   ///< the edited scene differs in settings that only a reset applies
+};
+
+struct SessionStatus {
+  RunState state = RunState::loading;
+  std::uint64_t run = 0;      ///< counts opens and resets: history of another run is stale
+  double time = 0;            ///< [s]
+  long step = 0;
+  double achieved_rate = 0;   ///< simulated seconds per wall second, smoothed
+  double step_ms = 0;         ///< smoothed wall time of a step
+  bool step_in_flight = false;
+  Acknowledgement edit;
+  std::string message;        ///< failure or newest warning, in the user's words
+  std::string solver_choice;
+};
+
+/// What the plots keep of each accepted step.
+struct HistorySample {
+  std::uint64_t run = 0;
+  StepReport report;
+};
+
+/// Thread-safe towards one UI thread; every call returns at once (no lock is held during a step).
+class Session {
+ public:
+  explicit Session(int threads = 0);
+  ~Session();  ///< cancels the running step and joins
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  /// Cancels the running step, builds this scene, shows its first state; runs on when `run`.
+  void open(const Scene& scene, bool run);
+  void run();
+  void pause();      ///< cancels the running step: the state stays the last accepted one
+  void step_once();
+  void reset();      ///< rebuilds from the edited scene; keeps running if it ran
+  /// The whole edited scene, checked already; coalesced to the newest, applied at the step's end where it is live,
+  /// kept for the next reset where it is not. Never cancels a step.
+  void edit(const Scene& scene);
+  void set_rate(double simulated_per_wall);  ///< 1: real time; 0: as fast as possible
+  void set_at_end(AtEnd what);
+  void set_grab(const std::optional<Grab>& grab);
+  void request(const SnapshotRequest& what);
+
+  /// The newest state; never null after the first open() has been built.
+  std::shared_ptr<const Snapshot> snapshot() const;
+  SessionStatus status() const;
+  /// Moves samples that came since the last call to the end of `into`.
+  void drain_history(std::vector<HistorySample>& into);
+  /// The initial scene with everything that was changed live as `events`: replays byte-equal with `run`.
+  Scene recorded() const;
+  /// The inspector's question; answered by a later call, when the worker is between steps.
+  void ask_particle(std::uint32_t id);
+  std::optional<ParticleState> answered_particle();
+
+ private:
+  struct Worker;
+  std::unique_ptr<Worker> worker_;
+};
+
+}  // namespace pf::app
