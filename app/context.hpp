@@ -42,6 +42,8 @@ struct RunHistory {
   std::vector<StepReport> reports;
 };
 
+struct PanelMemory;  // app/panels/memory.hpp
+
 struct AppContext {
   Session& session;
 
@@ -67,6 +69,9 @@ struct AppContext {
   std::function<void(const std::filesystem::path&)> open_file;
   std::function<void()> ask_open, ask_save_as, save, undo, redo, fit_view, save_picture, pin;
   std::function<void(const std::string&)> notify;  ///< a short message at the window's edge
+
+  /// What panels and tools remember between frames (open panel, half-typed values, gallery); made by the first one.
+  std::shared_ptr<PanelMemory> memory = {};
 };
 
 /// A panel of the left column, the right inspector or the bottom drawer: one file in panels/, one line in its table.
