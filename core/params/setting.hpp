@@ -9,7 +9,7 @@
 
 namespace pf {
 
-enum class SettingKind { number, integer, text, flag, choice, vector, formula, formula_vector };
+enum class SettingKind { number, integer, text, flag, choice, vector, formula, formula_vector, flag_vector };
 /// When an edit takes effect: at the next step, or only after a reset to t = 0; `view` touches no physics.
 enum class Applies { live, reset, view };
 
@@ -24,12 +24,15 @@ struct Setting {
   double slider_min = 0, slider_max = 1;    ///< what a slider spans; typing may go further, up to min and max
   std::vector<std::string> choices;         ///< for choice
   Applies applies = Applies::live;
-  std::string help;  ///< one or two sentences: meaning, when to change it
+  bool required = false;      ///< there is no default
+  std::string default_value;  ///< JSON text of the default in 2D; "" when required or absent by default
+  std::string help;           ///< one or two sentences: meaning, when to change it
 };
 
 /// Every setting of the scene file, in file order.
 std::span<const Setting> settings();
-/// The setting that a concrete pointer ("/materials/rubber/young") names, or nullptr.
+/// The setting that a concrete pointer ("/materials/rubber/young") names, or nullptr. A pointer to a component
+/// ("/gravity/1") names the whole vector; one into a boolean shape names the setting of its outermost shape.
 const Setting* find_setting(std::string_view pointer);
 
 }  // namespace pf
