@@ -3,8 +3,8 @@ add_library(pf_options INTERFACE)
 target_compile_options(pf_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 14)
-  # False reports inside the compiler's own AVX-512 headers (GCC bug 105593).
-  target_compile_options(pf_options INTERFACE -Wno-maybe-uninitialized -Wno-uninitialized)
+  # False reports inside the compiler's own AVX-512 headers (GCC bug 105593) and std::string (GCC bug 105651).
+  target_compile_options(pf_options INTERFACE -Wno-maybe-uninitialized -Wno-uninitialized -Wno-restrict)
 endif()
 if(PUSHFORWARD_WERROR)
   target_compile_options(pf_options INTERFACE -Werror)
