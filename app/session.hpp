@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,14 +27,14 @@ struct Acknowledgement {
 
 struct SessionStatus {
   RunState state = RunState::loading;
-  std::uint64_t run = 0;      ///< counts opens and resets: history of another run is stale
-  double time = 0;            ///< [s]
+  std::uint64_t run = 0;  ///< counts opens and resets: history of another run is stale
+  double time = 0;        ///< [s]
   long step = 0;
-  double achieved_rate = 0;   ///< simulated seconds per wall second, smoothed
-  double step_ms = 0;         ///< smoothed wall time of a step
+  double achieved_rate = 0;  ///< simulated seconds per wall second, smoothed
+  double step_ms = 0;        ///< smoothed wall time of a step
   bool step_in_flight = false;
   Acknowledgement edit;
-  std::string message;        ///< failure or newest warning, in the user's words
+  std::string message;  ///< failure or newest warning, in the user's words
   std::string solver_choice;
 };
 
@@ -43,10 +44,13 @@ struct HistorySample {
   StepReport report;
 };
 
+/// How the worker comes by a Simulation; make_simulation but in tests.
+using SimulationFactory = std::function<std::unique_ptr<Simulation>(const Scene&, const SimulationOptions&)>;
+
 /// Thread-safe towards one UI thread; every call returns at once (no lock is held during a step).
 class Session {
  public:
-  explicit Session(int threads = 0);
+  explicit Session(int threads = 0, SimulationFactory factory = make_simulation);
   ~Session();  ///< cancels the running step and joins
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -54,9 +58,9 @@ class Session {
   /// Cancels the running step, builds this scene, shows its first state; runs on when `run`.
   void open(const Scene& scene, bool run);
   void run();
-  void pause();      ///< cancels the running step: the state stays the last accepted one
+  void pause();  ///< cancels the running step: the state stays the last accepted one
   void step_once();
-  void reset();      ///< rebuilds from the edited scene; keeps running if it ran
+  void reset();  ///< rebuilds from the edited scene; keeps running if it ran
   /// The whole edited scene, checked already; coalesced to the newest, applied at the step's end where it is live,
   /// kept for the next reset where it is not. Never cancels a step.
   void edit(const Scene& scene);
@@ -64,6 +68,8 @@ class Session {
   void set_at_end(AtEnd what);
   void set_grab(const std::optional<Grab>& grab);
   void request(const SnapshotRequest& what);
+  /// Called by the worker, on its thread, whenever there is something new to show. Set it before the first open().
+  void set_wake(std::function<void()> wake);
 
   /// The newest state; never null after the first open() has been built.
   std::shared_ptr<const Snapshot> snapshot() const;
@@ -72,6 +78,8 @@ class Session {
   void drain_history(std::vector<HistorySample>& into);
   /// The initial scene with everything that was changed live as `events`: replays byte-equal with `run`.
   Scene recorded() const;
+  /// Empty, or why recorded() does not replay this run: the mouse pulled at the material.
+  std::string recording_warning() const;
   /// The inspector's question; answered by a later call, when the worker is between steps.
   void ask_particle(std::uint32_t id);
   std::optional<ParticleState> answered_particle();

@@ -1,0 +1,111 @@
+#include "app/session.hpp"
+
+#include <utility>
+
+#include "app/worker.hpp"
+
+namespace pf::app {
+
+Session::Session(int threads, SimulationFactory factory)
+    : worker_(std::make_unique<Worker>(threads, std::move(factory))) {}
+Session::~Session() = default;
+
+void Session::open(const Scene& scene, bool run) {
+  worker_->send(command::Open{scene, run}, true, [](SessionStatus& status) { status.state = RunState::loading; });
+}
+
+void Session::run() {
+  worker_->send(command::Run{}, false, [](SessionStatus& status) {
+    if (status.state == RunState::paused) status.state = RunState::running;
+  });
+}
+
+void Session::pause() {
+  worker_->send(command::Pause{}, true, [](SessionStatus& status) {
+    if (status.state == RunState::running) status.state = RunState::paused;
+  });
+}
+
+void Session::step_once() {
+  worker_->send(command::StepOnce{}, false);
+}
+
+void Session::reset() {
+  worker_->send(command::Reset{}, true);
+}
+
+void Session::edit(const Scene& scene) {
+  std::uint64_t number = 0;
+  {
+    const std::lock_guard lock(worker_->mutex);
+    number = ++worker_->edits;
+  }
+  worker_->send(command::EditTo{scene, number}, false, [number](SessionStatus& status) {
+    status.edit.edit = number;
+    status.edit.applies_at_step = status.step + (status.step_in_flight ? 1 : 0);
+  });
+}
+
+void Session::set_rate(double simulated_per_wall) {
+  worker_->send(command::Rate{simulated_per_wall}, false);
+}
+void Session::set_at_end(AtEnd what) {
+  worker_->send(command::End{what}, false);
+}
+void Session::set_grab(const std::optional<Grab>& grab) {
+  worker_->send(command::Hold{grab}, false);
+}
+void Session::request(const SnapshotRequest& what) {
+  worker_->send(command::Look{what}, false);
+}
+void Session::ask_particle(std::uint32_t id) {
+  worker_->send(command::Ask{id}, false);
+}
+
+void Session::set_wake(std::function<void()> wake) {
+  const std::lock_guard lock(worker_->mutex);
+  worker_->wake = std::move(wake);
+}
+
+std::shared_ptr<const Snapshot> Session::snapshot() const {
+  const std::lock_guard lock(worker_->mutex);
+  return worker_->newest;
+}
+
+SessionStatus Session::status() const {
+  const std::lock_guard lock(worker_->mutex);
+  return worker_->status;
+}
+
+void Session::drain_history(std::vector<HistorySample>& into) {
+  std::vector<HistorySample> fresh;
+  {
+    const std::lock_guard lock(worker_->mutex);
+    fresh.swap(worker_->history);
+  }
+  into.insert(into.end(), std::make_move_iterator(fresh.begin()), std::make_move_iterator(fresh.end()));
+}
+
+Scene Session::recorded() const {
+  Recording copy;
+  {
+    const std::lock_guard lock(worker_->mutex);
+    copy = worker_->recording;
+  }
+  return copy.scene();
+}
+
+std::string Session::recording_warning() const {
+  const std::lock_guard lock(worker_->mutex);
+  return worker_->recording.grabbed()
+             ? "The mouse pulled at the material during this run: that cannot be recorded, so the saved scene "
+               "replays the settings but not the pull."
+             : std::string{};
+}
+
+std::optional<ParticleState> Session::answered_particle() {
+  const std::lock_guard lock(worker_->mutex);
+  return std::exchange(worker_->answer, std::nullopt);
+}
+
+}  // namespace pf::app

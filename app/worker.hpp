@@ -1,0 +1,125 @@
+// The thread behind Session: what both sides share, and what only the worker touches.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <variant>
+
+#include "app/pacer.hpp"
+#include "app/recording.hpp"
+#include "app/session.hpp"
+#include "app/snapshot_pool.hpp"
+
+namespace pf::app {
+
+namespace command {
+struct Open {
+  Scene scene;
+  bool run;
+};
+struct Run {};
+struct Pause {};
+struct StepOnce {};
+struct Reset {};
+struct EditTo {
+  Scene scene;
+  std::uint64_t number;
+};
+struct Rate {
+  double value;
+};
+struct End {
+  AtEnd what;
+};
+struct Hold {
+  std::optional<Grab> grab;
+};
+struct Look {
+  SnapshotRequest request;
+};
+struct Ask {
+  std::uint32_t id;
+};
+using Any = std::variant<Open, Run, Pause, StepOnce, Reset, EditTo, Rate, End, Hold, Look, Ask>;
+}  // namespace command
+
+struct Session::Worker {
+  Worker(int threads, SimulationFactory how);
+  ~Worker();
+
+  /// UI thread. Appends the command, or replaces the last one when both are of the same coalescing kind. Runs
+  /// `acknowledge` on the status under the same lock, so that the next frame shows it.
+  void send(command::Any what, bool cancel_step, const std::function<void(SessionStatus&)>& acknowledge = {});
+
+  // Shared. The mutex is held for copies and swaps only, never during a step, a build or a capture.
+  mutable std::mutex mutex;
+  std::condition_variable commands_came;
+  std::vector<command::Any> commands;
+  std::uint64_t edits = 0;
+  SessionStatus status;
+  std::shared_ptr<const Snapshot> newest;
+  std::vector<HistorySample> history;
+  std::optional<ParticleState> answer;
+  Recording recording;
+  std::function<void()> wake;
+  std::atomic<bool> cancel{false};
+  bool quitting = false;
+
+ private:
+  using Clock = Pacer::Clock;
+
+  void loop();
+  /// Waits for commands (until `until`, if given) and takes them; false: quit.
+  bool take(std::vector<command::Any>& into, std::optional<Clock::time_point> until);
+  /// When take() may sleep till: now while there is a step to do, nothing when only a command can help.
+  std::optional<Clock::time_point> next_moment();
+  void advance();
+  void take_step();
+  void accept(const StepReport& report, double step_ms);
+  void finish();
+  void fail(const std::string& why);
+  void build(const Scene& scene, bool run);
+  void restart_pacing() { pacer_.start(simulation_ ? simulation_->time() : 0, Clock::now()); }
+  void set_state(RunState state);
+  /// Captures and hands over the newest state, and wakes the window.
+  void publish();
+  void call_window();
+  void apply_end();
+
+  void handle(const command::Open& open) { build(open.scene, open.run); }
+  void handle(const command::Run&);
+  void handle(const command::Pause&);
+  void handle(const command::StepOnce&);
+  void handle(const command::Reset&);
+  void handle(const command::EditTo& edit);
+  void handle(const command::Rate& rate);
+  void handle(const command::End& end);
+  void handle(const command::Hold& hold);
+  void handle(const command::Look& look);
+  void handle(const command::Ask& ask);
+  /// Applies what differs between the scene last edited and `scene` and is live. Returns what was applied.
+  std::vector<Edit> apply_live(const Scene& scene);
+  bool try_apply(const std::vector<Edit>& changes);
+
+  // The worker's own.
+  SimulationFactory factory_;
+  SimulationOptions options_;
+  std::unique_ptr<Simulation> simulation_;
+  Scene built_, edited_;
+  bool refused_ = false;  ///< a live edit could not be applied to this run: it waits for the reset
+  RunState state_ = RunState::loading;
+  AtEnd at_end_ = AtEnd::pause;
+  Pacer pacer_;
+  double rate_ = 1;
+  int single_steps_ = 0;
+  bool grabbed_ = false;
+  SnapshotRequest request_;
+  SnapshotPool pool_;
+  bool stale_ = false;  ///< the newest state was not published yet
+  Clock::time_point published_{};
+  std::jthread thread_;  // last: it uses all of the above
+};
+
+}  // namespace pf::app
