@@ -1,16 +1,16 @@
-// Makes a Law<D> of a small struct that knows psi, P and dP for one F: one virtual call a batch, tight loops inside.
+// Makes a Law<D> of a law's struct (see evaluate.hpp): one virtual call a batch, eight particles at a time inside.
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
+#include "core/materials/evaluate.hpp"
 #include "core/materials/law.hpp"
-#include "core/math/psd.hpp"
-#include "core/math/small_linalg.hpp"
 
 namespace pf {
 
-/// `Model` offers psi(F), P(F, psi), dP(F, emit), lame and info() as NeoHookean does.
+/// A particle's result depends on its own F only, to the bit, wherever it stands in a batch of whatever length.
 template <class Model, int D>
 class BatchLaw final : public Law<D> {
  public:
@@ -20,29 +20,38 @@ class BatchLaw final : public Law<D> {
 
   void energy(std::span<const Mat<D>> F, std::span<double> psi) const override {
     assert(F.size() == psi.size());
-    for (std::size_t p = 0; p < F.size(); ++p) psi[p] = model_.psi(load(F[p]));
+    for_packs(F, [&](const Square<Pack, D>& F_pack, std::size_t first, std::size_t count) {
+      store(psi_of(model_, F_pack), psi.subspan(first, count));
+    });
   }
 
   void stress(std::span<const Mat<D>> F, std::span<double> psi, std::span<Mat<D>> P) const override {
     assert(F.size() == psi.size() && F.size() == P.size());
-    for (std::size_t p = 0; p < F.size(); ++p) store(model_.P(load(F[p]), psi[p]), P[p]);
+    for_packs(F, [&](const Square<Pack, D>& F_pack, std::size_t first, std::size_t count) {
+      Pack psi_pack;
+      const Square<Pack, D> P_pack = P_of(model_, F_pack, psi_pack);
+      store(psi_pack, psi.subspan(first, count));
+      store<D * D>(P_pack.e, P.subspan(first, count));
+    });
   }
 
   void tangent(std::span<const Mat<D>> F, bool project, std::span<Tangent<D>> dP) const override {
     assert(F.size() == dP.size());
-    for (std::size_t p = 0; p < F.size(); ++p) {
-      Tangent<D>& A = dP[p];
-      model_.dP(load(F[p]), [&A](int row, int column, double value) { A(row, column) = A(column, row) = value; });
-      if (project) project_psd(A);
+    if (project) {
+      tangent_packs<true>(F, dP);
+    } else {
+      tangent_packs<false>(F, dP);
     }
   }
 
   Mat3 cauchy(const Mat<D>& F) const override {
     Mat3 full = Mat3::Identity(), P;  // plane strain is the 3D motion with F_33 = 1
     full.template topLeftCorner<D, D>() = F;
+    Square<double, 3> F_full;
+    std::copy_n(full.data(), 9, F_full.e);
     double psi = 0;
-    store(model_.P(load(full), psi), P);
-    return P * full.transpose() / determinant(load(full));
+    std::copy_n(P_of(model_, F_full, psi).e, 9, P.data());
+    return P * full.transpose() / determinant(F_full);
   }
 
   double wave_speed(double density) const override {
@@ -50,15 +59,49 @@ class BatchLaw final : public Law<D> {
   }
 
  private:
-  template <int N>
-  static Square<double, N> load(const Mat<N>& F) {
-    Square<double, N> S;
-    for (int k = 0; k < N * N; ++k) S.e[k] = F.data()[k];
-    return S;
+  static constexpr std::size_t width = Lanes<Pack>::count;
+
+  /// Calls use(F of eight particles, index of the first, how many of them are meant); the rest repeats the last.
+  template <class Use>
+  static void for_packs(std::span<const Mat<D>> F, const Use& use) {
+    Square<Pack, D> F_pack;
+    std::size_t p = 0;
+    for (; p + width <= F.size(); p += width) {
+      load_records<D * D>(F[p].data(), F_pack.e);
+      use(F_pack, p, width);
+    }
+    if (p == F.size()) return;
+    Mat<D> padded[width];
+    for (std::size_t lane = 0; lane < width; ++lane) padded[lane] = F[std::min(p + lane, F.size() - 1)];
+    load_records<D * D>(padded[0].data(), F_pack.e);
+    use(F_pack, p, F.size() - p);
   }
-  template <int N>
-  static void store(const Square<double, N>& S, Mat<N>& P) {
-    for (int k = 0; k < N * N; ++k) P.data()[k] = S.e[k];
+
+  static void store(const Pack& values, std::span<double> out) {
+    for (std::size_t lane = 0; lane < out.size(); ++lane) out[lane] = values[static_cast<int>(lane)];
+  }
+
+  template <int size, class Record>
+  static void store(const Pack* values, std::span<Record> out) {
+    static_assert(sizeof(Record) == size * sizeof(double));
+    if (out.size() == width) {
+      store_records<size>(values, out[0].data());
+      return;
+    }
+    Record padded[width];
+    store_records<size>(values, padded[0].data());
+    std::copy_n(padded, out.size(), out.begin());
+  }
+
+  template <bool project>
+  void tangent_packs(std::span<const Mat<D>> F, std::span<Tangent<D>> dP) const {
+    for_packs(F, [&](const Square<Pack, D>& F_pack, std::size_t first, std::size_t count) {
+      UpperTangent<Pack, D> A;
+      dP_of<project>(model_, F_pack, A);
+      for (int column = 0; column < D * D; ++column)
+        for (int row = 0; row < column; ++row) A(column, row) = A(row, column);
+      store<D * D * D * D>(A.e, dP.subspan(first, count));
+    });
   }
 
   Model model_;

@@ -2,13 +2,14 @@
 //   psi = mu/2 (tr F^T F - 3) - mu ln J + lambda/2 ln^2 J
 //   P   = mu (F - F^-T) + lambda ln J F^-T
 //   dP  = mu dF + (mu - lambda ln J) F^-T dF^T F^-T + lambda (F^-T : dF) F^-T
-// No singular values are needed. With G = F^T F - I the first two are also
+// No singular values are needed, but for the projected tangent. With G = F^T F - I the first two are also
 //   psi = mu/2 (tr G - ln det(I + G)) + lambda/2 ln^2 J,   P = F^-T (mu G + lambda ln J I),
 // where every term of psi is of second order in the strain: used near F = R, since Newton's line search compares
 // energies far below mu.
 #pragma once
 
 #include "core/materials/lame.hpp"
+#include "core/materials/principal.hpp"
 #include "core/math/logarithm.hpp"
 #include "core/math/small_linalg.hpp"
 
@@ -42,9 +43,11 @@ struct NeoHookean {
   /// P; psi as a by-product.
   template <class T, int D>
   Square<T, D> P(const Square<T, D>& F, T& psi_out) const;
-  /// Upper half of dP/dF: emit(a + D B, b + D D_, value) for a + D B <= b + D D_.
-  template <class T, int D, class Emit>
-  void dP(const Square<T, D>& F, Emit&& emit) const;
+  template <class T, int D>
+  void dP(const Square<T, D>& F, UpperTangent<T, D>& A) const;
+  /// For the projection only: P_i = mu (s_i - 1/s_i) + lambda ln J / s_i.
+  template <class T, int D>
+  PrincipalTangent<T, D> principal_tangent(const T (&s)[D]) const;
 };
 
 template <class T, int D>
@@ -83,8 +86,8 @@ Square<T, D> NeoHookean::P(const Square<T, D>& F, T& psi_out) const {
   return P;
 }
 
-template <class T, int D, class Emit>
-void NeoHookean::dP(const Square<T, D>& F, Emit&& emit) const {
+template <class T, int D>
+void NeoHookean::dP(const Square<T, D>& F, UpperTangent<T, D>& dP) const {
   const State<T, D> s = state(F);
   Square<T, D> A = cofactor(F);
   const T inverse_J = 1.0 / s.J, swapped = lame.mu - lame.lambda * s.ln_J;
@@ -92,11 +95,29 @@ void NeoHookean::dP(const Square<T, D>& F, Emit&& emit) const {
   for (int column = 0; column < D * D; ++column) {
     for (int row = 0; row <= column; ++row) {
       const int a = row % D, B = row / D, b = column % D, C = column / D;
-      T value = lame.lambda * (A(a, B) * A(b, C)) + swapped * (A(b, B) * A(a, C));
-      if (row == column) value += lame.mu;
-      emit(row, column, value);
+      dP(row, column) = lame.lambda * (A(a, B) * A(b, C)) + swapped * (A(b, B) * A(a, C));
     }
+    dP(column, column) += lame.mu;
   }
+}
+
+template <class T, int D>
+PrincipalTangent<T, D> NeoHookean::principal_tangent(const T (&s)[D]) const {
+  T J = s[0];
+  for (int i = 1; i < D; ++i) J *= s[i];
+  const T swapped = lame.mu - lame.lambda * log_of(J);
+  PrincipalTangent<T, D> tangent;
+  for (int i = 0; i < D; ++i) {
+    for (int j = 0; j < D; ++j) tangent.block(i, j) = lame.lambda / (s[i] * s[j]);
+    tangent.block(i, i) += lame.mu + swapped / (s[i] * s[i]);
+  }
+  for (int k = 0; k < Pair<D>::count; ++k) {
+    const Pair<D> pair(k);
+    const T ratio = swapped / (s[pair.i] * s[pair.j]);
+    tangent.flip[k] = lame.mu + ratio;
+    tangent.twist[k] = lame.mu - ratio;
+  }
+  return tangent;
 }
 
 }  // namespace pf

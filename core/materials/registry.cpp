@@ -2,7 +2,11 @@
 #include <stdexcept>
 
 #include "core/materials/batch_law.hpp"
+#include "core/materials/fixed_corotated.hpp"
+#include "core/materials/hencky.hpp"
+#include "core/materials/linear_elastic.hpp"
 #include "core/materials/neo_hookean.hpp"
+#include "core/materials/st_venant_kirchhoff.hpp"
 
 namespace pf {
 namespace {
@@ -25,7 +29,7 @@ Entry entry() {
 
 const std::vector<Entry>& table() {
   static const std::vector<Entry> entries = {
-      entry<NeoHookean>(),
+      entry<NeoHookean>(), entry<FixedCorotated>(), entry<Hencky>(), entry<StVenantKirchhoff>(), entry<LinearElastic>(),
   };
   return entries;
 }
