@@ -6,6 +6,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   # False reports inside the compiler's own AVX-512 headers (GCC bug 105593) and std::string (GCC bug 105651).
   target_compile_options(pf_options INTERFACE -Wno-maybe-uninitialized -Wno-uninitialized -Wno-restrict)
 endif()
+# Packs of eight doubles are passed between our own functions only, all compiled alike: their ABI is nobody else's.
+target_compile_options(pf_options INTERFACE -Wno-psabi)
 if(PUSHFORWARD_WERROR)
   target_compile_options(pf_options INTERFACE -Werror)
 endif()
