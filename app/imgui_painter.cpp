@@ -1,0 +1,159 @@
+#include "app/imgui_painter.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "app/theme.hpp"
+
+namespace pf::app {
+namespace {
+
+ImU32 packed(Color c) {
+  return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, c.a});
+}
+ImVec2 vec(Point2 p) {
+  return {p.x, p.y};
+}
+
+std::vector<ImVec2>& copied(std::span<const Point2> points, std::vector<ImVec2>& into) {
+  into.resize(points.size());
+  std::transform(points.begin(), points.end(), into.begin(), vec);
+  return into;
+}
+
+/// Twice the signed area of the corner a b c.
+float turn(Point2 a, Point2 b, Point2 c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+bool inside(Point2 p, Point2 a, Point2 b, Point2 c) {
+  const float u = turn(a, b, p), v = turn(b, c, p), w = turn(c, a, p);
+  return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
+}
+
+bool convex(std::span<const Point2> p) {
+  bool left = false, right = false;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const float t = turn(p[i], p[(i + 1) % p.size()], p[(i + 2) % p.size()]);
+    left |= t > 0;
+    right |= t < 0;
+  }
+  return !(left && right);
+}
+
+}  // namespace
+
+void ImGuiPainter::polyline(std::span<const Point2> points, Color color, float width, float dash) {
+  if (points.size() < 2) return;
+  if (dash > 0) return dashes(points, packed(color), width, dash);
+  std::vector<ImVec2> line;
+  copied(points, line);
+  list_.AddPolyline(line.data(), static_cast<int>(line.size()), packed(color), ImDrawFlags_None, width);
+}
+
+void ImGuiPainter::dashes(std::span<const Point2> points, unsigned color, float width, float dash) {
+  float walked = 0;  // along the line, so that the pattern runs on around corners
+  std::vector<ImVec2> piece;
+  const auto flush = [&] {
+    if (piece.size() > 1)
+      list_.AddPolyline(piece.data(), static_cast<int>(piece.size()), color, ImDrawFlags_None, width);
+    piece.clear();
+  };
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const Point2 a = points[i], b = points[i + 1];
+    const float length = std::hypot(b.x - a.x, b.y - a.y);
+    for (float s = 0; s < length;) {
+      const bool drawn = std::fmod(walked, 2 * dash) < dash;
+      // At least a hundredth of a pixel, so that rounding cannot stop the walk.
+      const float step = std::min(length - s, std::max(dash - std::fmod(walked, dash), 0.01f));
+      const auto at = [&](float t) { return ImVec2(a.x + (b.x - a.x) * t / length, a.y + (b.y - a.y) * t / length); };
+      if (drawn) {
+        if (piece.empty()) piece.push_back(at(s));
+        piece.push_back(at(s + step));
+      } else {
+        flush();
+      }
+      s += step;
+      walked += step;
+    }
+  }
+  flush();
+}
+
+void ImGuiPainter::polygon(std::span<const Point2> points, Color fill) {
+  if (points.size() < 3) return;
+  if (convex(points)) {
+    std::vector<ImVec2> outline;
+    copied(points, outline);
+    // ImGui smooths the rim outwards only of polygons that run clockwise.
+    if (turn(points[0], points[1], points[2]) < 0) std::reverse(outline.begin(), outline.end());
+    list_.AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()), packed(fill));
+    return;
+  }
+  // Ears are cut off until a triangle remains.
+  std::vector<Point2> left(points.begin(), points.end());
+  float area = 0;
+  for (std::size_t i = 1; i + 1 < left.size(); ++i) area += turn(left[0], left[i], left[i + 1]);
+  const float side = area >= 0 ? 1.0f : -1.0f;
+  while (left.size() > 2) {
+    bool cut = false;
+    for (std::size_t i = 0; i < left.size() && !cut; ++i) {
+      const std::size_t n = left.size();
+      const Point2 a = left[(i + n - 1) % n], b = left[i], c = left[(i + 1) % n];
+      if (side * turn(a, b, c) < 0) continue;
+      cut = true;
+      for (std::size_t k = 0; k < n && cut; ++k)
+        if (k != i && k != (i + 1) % n && k != (i + n - 1) % n && inside(left[k], a, b, c)) cut = false;
+      if (!cut) continue;
+      list_.AddTriangleFilled(vec(a), vec(b), vec(c), packed(fill));
+      left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    if (!cut) return;  // crosses itself: outside of what the interface promises
+  }
+}
+
+void ImGuiPainter::rectangle(Point2 min, Point2 max, Color fill, float rounding) {
+  list_.AddRectFilled(vec(min), vec(max), packed(fill), rounding);
+}
+void ImGuiPainter::circle(Point2 centre, float radius, Color fill) {
+  list_.AddCircleFilled(vec(centre), radius, packed(fill));
+}
+void ImGuiPainter::ring(Point2 centre, float radius, Color color, float width) {
+  list_.AddCircle(vec(centre), radius, packed(color), 0, width);
+}
+
+void ImGuiPainter::text(Point2 at, std::string_view text, float size, Color color, TextAlign align, FontWeight weight,
+                        int quarter_turns) {
+  ImFont* font = font_for(size, weight);
+  const float width = text_width(text, size, weight);
+  const float shift = align == TextAlign::left ? 0 : align == TextAlign::centre ? width / 2 : width;
+  const float baseline = font->Ascent * size / font->FontSize;
+  const ImVec2 corner{std::round(at.x - (quarter_turns % 4 ? 0 : shift)), std::round(at.y - baseline)};
+  const int first = list_.VtxBuffer.Size;
+  list_.AddText(font, size, corner, packed(color), text.data(), text.data() + text.size());
+  if (quarter_turns % 4 == 0) return;
+  // Turn the glyphs' corners about `at`, after moving the text along its own line.
+  const float angle = static_cast<float>(quarter_turns) * 1.5707963f;
+  const float c = std::round(std::cos(angle)), s = std::round(std::sin(angle));
+  for (int i = first; i < list_.VtxBuffer.Size; ++i) {
+    ImVec2& p = list_.VtxBuffer[i].pos;
+    const float x = p.x - std::round(at.x) - std::round(shift), y = p.y - std::round(at.y);
+    p = {std::round(at.x) + c * x + s * y, std::round(at.y) - s * x + c * y};
+  }
+}
+
+float ImGuiPainter::text_width(std::string_view text, float size, FontWeight weight) const {
+  return font_for(size, weight)->CalcTextSizeA(size, 1e9f, 0, text.data(), text.data() + text.size()).x;
+}
+
+void ImGuiPainter::push_clip(Point2 min, Point2 max) {
+  list_.PushClipRect(vec(min), vec(max), true);
+}
+void ImGuiPainter::pop_clip() {
+  list_.PopClipRect();
+}
+
+}  // namespace pf::app

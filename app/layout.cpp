@@ -1,0 +1,43 @@
+#include "app/layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pf::app {
+namespace {
+
+// In em.
+constexpr float left_width = 18, inspector_width = 15;
+constexpr float transport_row = 2.8f;    // a button and the space about it
+constexpr float transport_one_row = 52;  // what one row of it needs
+constexpr float drawer_tabs = 2.1f;
+
+}  // namespace
+
+Layout arrange(const LayoutInput& in) {
+  Layout out;
+  if (in.hide_panels) {
+    out.view = {0, 0, in.width, in.height};
+    return out;
+  }
+  const auto whole = [](float v) { return std::floor(v); };
+  out.menu = {0, 0, in.width, in.menu_height};
+  const float top = in.menu_height, height = std::max(0.0f, in.height - top);
+  // The view keeps at least two fifths of the width however large the text is.
+  const float left = whole(std::min(left_width * in.em, 0.45f * in.width));
+  const float right = in.inspector ? whole(std::min(inspector_width * in.em, 0.3f * in.width)) : 0;
+  const float middle = std::max(0.0f, in.width - left - right);
+  out.transport_rows = middle < transport_one_row * in.em ? 2 : 1;
+  const float transport = whole(static_cast<float>(out.transport_rows) * transport_row * in.em);
+  const float tabs = whole(drawer_tabs * in.em);
+  const float drawer =
+      in.drawer_open ? whole(std::clamp(in.drawer_height * in.em, tabs + 6 * in.em, 0.5f * height)) : tabs;
+  out.left = {0, top, left, height};
+  out.view = {left, top, middle, std::max(0.0f, height - transport - drawer)};
+  out.transport = {left, out.view.bottom(), middle, transport};
+  out.drawer = {left, out.transport.bottom(), middle, drawer};
+  if (in.inspector) out.inspector = {left + middle, top, right, height};
+  return out;
+}
+
+}  // namespace pf::app

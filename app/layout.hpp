@@ -1,0 +1,35 @@
+// Where the parts of the window are: a pure function of its size, so that a test can look for overlaps.
+#pragma once
+
+namespace pf::app {
+
+/// In window coordinates, y downwards.
+struct Rect {
+  float x = 0, y = 0, width = 0, height = 0;
+  float right() const { return x + width; }
+  float bottom() const { return y + height; }
+  bool empty() const { return width <= 0 || height <= 0; }
+  bool operator==(const Rect&) const = default;
+  bool contains(float px, float py) const { return px >= x && px < right() && py >= y && py < bottom(); }
+};
+
+struct LayoutInput {
+  float width = 1280, height = 800;
+  float em = 15;             ///< height of the interface's text [pixels]
+  float menu_height = 23;    ///< as ImGui makes it
+  bool hide_panels = false;  ///< nothing but the view
+  bool inspector = false;
+  bool drawer_open = false;
+  float drawer_height = 17;  ///< of the open drawer as the user dragged it [em]
+};
+
+/// Empty rectangles are not shown.
+struct Layout {
+  Rect menu, left, view, transport, inspector, drawer;
+  int transport_rows = 1;  ///< 2 where one row would be cut
+  bool operator==(const Layout&) const = default;
+};
+
+Layout arrange(const LayoutInput& in);
+
+}  // namespace pf::app
