@@ -39,6 +39,17 @@ constexpr Choice contact_table[] = {
 constexpr Choice control_table[] = {
     {"fixed", "Fixed step", "every step as long as time.step"},
 };
+constexpr Choice shape_table[] = {
+    {"box", "Box", "between two corners"},
+    {"ball", "Ball", "a disc in 2D"},
+    {"cylinder", "Cylinder", "round, between the centres of its two ends; 3D"},
+    {"polygon", "Polygon", "closed by itself, must not cross itself; 2D"},
+    {"half_space", "Half space", "everything behind a plane (3D) or a line (2D); normal points out of it"},
+    {"where", "Where", "all points between two corners where an expression in X Y Z is positive"},
+    {"union", "Union", "what is in any of several shapes"},
+    {"difference", "Difference", "the first shape without the others"},
+    {"intersection", "Intersection", "what is in all of several shapes"},
+};
 
 }  // namespace
 
@@ -65,6 +76,9 @@ std::span<const Choice> contacts() {
 }
 std::span<const Choice> step_controls() {
   return control_table;
+}
+std::span<const Choice> shapes() {
+  return shape_table;
 }
 
 const Choice* find_choice(std::span<const Choice> choices, std::string_view name) {

@@ -23,6 +23,7 @@ std::span<const Choice> masses();  ///< of the inertia and of the velocity trans
 std::span<const Choice> samplings();
 std::span<const Choice> contacts();
 std::span<const Choice> step_controls();
+std::span<const Choice> shapes();
 
 /// nullptr when no choice has this name.
 const Choice* find_choice(std::span<const Choice> choices, std::string_view name);

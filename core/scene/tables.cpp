@@ -1,0 +1,169 @@
+#include "core/scene/tables.hpp"
+
+#include "core/diagnostics/fields.hpp"
+#include "core/scene/key_builder.hpp"
+
+namespace pf {
+
+const Table& grid_table() {
+  static const Table table = [] {
+    TableOf<GridSettings> t("Background grid");
+    t.number(&GridSettings::spacing, "spacing", "Grid spacing", "m")
+        .above(0)
+        .at_most(1e6)
+        .log_slider(0.005, 0.5)
+        .required()
+        .reset()
+        .help(
+            "Side dx of a grid cell; nodes lie at its integer multiples. Halve it to see whether a result has "
+            "converged; "
+            "cost grows with the inverse square (2D) or cube (3D).");
+    t.choice(&GridSettings::basis, "basis", "Shape functions")
+        .choices(bases())
+        .live()
+        .help(
+            "The functions that carry the motion from nodes to particles. Linear ones jump in gradient at cell faces; "
+            "B-splines do not.");
+    return t.take();
+  }();
+  return table;
+}
+
+const Table& time_table() {
+  static const Table table = [] {
+    TableOf<TimeSettings> t("Time");
+    t.number(&TimeSettings::end, "end", "End", "s")
+        .above(0)
+        .at_most(1e9)
+        .log_slider(0.1, 100)
+        .live()
+        .help("The run ends here; the last step is shortened to land on it.");
+    t.number(&TimeSettings::step, "step", "Time step", "s")
+        .above(0)
+        .at_most(1e6)
+        .log_slider(1e-5, 0.1)
+        .live()
+        .help(
+            "Length dt of a step. Backward Euler stays stable at any, but damps more as it grows; halve it to see "
+            "whether a result has converged.");
+    t.number(&TimeSettings::frame, "frame", "Frame interval", "s")
+        .above(0)
+        .at_most(1e9)
+        .log_slider(1e-3, 1)
+        .live()
+        .help(
+            "How often a picture or an export is due: at the first step that reaches each multiple. Absent: every "
+            "step.");
+    t.choice(&TimeSettings::control, "control", "Step control")
+        .choices(step_controls())
+        .live()
+        .help("How the length of a step is chosen.");
+    return t.take();
+  }();
+  return table;
+}
+
+const Table& integrator_table() {
+  static const Table table = [] {
+    TableOf<IntegratorSettings> t("Time integration");
+    t.choice(&IntegratorSettings::type, "type", "Time integrator")
+        .choices(integrators())
+        .live()
+        .help(
+            "Implicit schemes solve for the end of the step by Newton's method; explicit ones need none but small "
+            "steps.");
+    t.choice(&IntegratorSettings::mass, "mass", "Inertia mass")
+        .choices(masses())
+        .live()
+        .help(
+            "Mass matrix of the inertia term. Lumped is diagonal; the consistent one is more accurate and costs more.");
+    return t.take();
+  }();
+  return table;
+}
+
+const Table& transfer_table() {
+  static const Table table = [] {
+    TableOf<TransferSettings> t("Transfer between particles and grid");
+    t.choice(&TransferSettings::type, "type", "Transfer")
+        .choices(transfers())
+        .live()
+        .help(
+            "How particles take their velocity back from the grid: PIC damps, FLIP keeps energy, APIC keeps angular "
+            "momentum.");
+    t.number(&TransferSettings::flip_ratio, "flip_ratio", "FLIP ratio", "")
+        .at_least(0)
+        .at_most(1)
+        .slider(0, 1)
+        .live()
+        .help(
+            "Share of FLIP in the blend; the rest is PIC. 1 keeps energy and noise, 0 is pure PIC. Used by flip only.");
+    t.choice(&TransferSettings::velocity_mass, "velocity_mass", "Velocity-transfer mass")
+        .choices(masses())
+        .live()
+        .help(
+            "Mass matrix by which momenta become node velocities. Consistent removes most of PIC's damping; it cannot "
+            "be used with APIC.");
+    return t.take();
+  }();
+  return table;
+}
+
+const Table& solver_table() {
+  static const Table table = [] {
+    TableOf<SolverSettings> t("Solver");
+    t.number(&SolverSettings::newton_tolerance, "newton_tolerance", "Newton tolerance", "")
+        .at_least(1e-14)
+        .at_most(0.5)
+        .log_slider(1e-10, 1e-1)
+        .live()
+        .help(
+            "A step is accepted when the residual is below this share of the forces in play; it means the same at any "
+            "stiffness, spacing and step.");
+    t.integer(&SolverSettings::max_newton, "max_newton", "Newton iterations")
+        .at_least(1)
+        .at_most(10000)
+        .slider(1, 100)
+        .live()
+        .help("After this many without convergence the step is tried again with a smaller dt.");
+    t.choice(&SolverSettings::linear, "linear", "Linear solver")
+        .choices(linear_solvers())
+        .live()
+        .help("Solves the linear system of each Newton iteration; every choice gives the same result to tolerance.");
+    return t.take();
+  }();
+  return table;
+}
+
+const Table& view_table() {
+  static const Table table = [] {
+    std::vector<std::string> keys;
+    for (const FieldInfo& field : fields()) keys.emplace_back(field.key);
+    TableOf<ViewSettings> t("View");
+    t.choice(&ViewSettings::color_by, "color_by", "Colour by")
+        .choices(std::move(keys))
+        .view()
+        .help("The particle field that is drawn as colour.");
+    return t.take();
+  }();
+  return table;
+}
+
+const Table& probe_table() {
+  static const Table table = [] {
+    TableOf<Probe> t("Probe");
+    t.text(&Probe::name, "name", "Name")
+        .at_least(1)
+        .reset()
+        .help("Names the probe in probes.csv; \"probe1\", ... by default.");
+    t.vector(&Probe::at, "at", "Reference point", "m")
+        .within(1e9)
+        .required()
+        .reset()
+        .help("The particle nearest to this point of the reference body is followed.");
+    return t.take();
+  }();
+  return table;
+}
+
+}  // namespace pf
