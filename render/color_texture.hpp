@@ -1,0 +1,23 @@
+// The colour maps of core/charts as a texture. Internal to render/.
+#pragma once
+
+#include "core/diagnostics/fields.hpp"
+#include "core/snapshot.hpp"
+#include "render/gl_objects.hpp"
+
+namespace pf {
+
+class ColorTexture {
+ public:
+  /// Binds the map of `scale` to texture unit 0.
+  void bind(FieldScale scale);
+
+ private:
+  gl::Texture textures_[3];
+  bool filled_[3] = {false, false, false};
+};
+
+/// The value that particle p is coloured by; NaN when the snapshot does not hold the field.
+float color_value(const Snapshot& snapshot, Field field, std::size_t p);
+
+}  // namespace pf

@@ -1,0 +1,124 @@
+// What a snapshot occupies, and which particle is under the mouse: camera.hpp declares both.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "render/camera.hpp"
+
+namespace pf {
+
+namespace {
+
+Vec3 position(const Snapshot& s, std::size_t p) {
+  return s.dimension == 2 ? Vec3(s.x[2 * p], s.x[2 * p + 1], 0) : Vec3(s.x[3 * p], s.x[3 * p + 1], s.x[3 * p + 2]);
+}
+
+/// Half the side of the particle's reference cell, at least.
+double half_side(const Snapshot& s, std::size_t p) {
+  if (p >= s.volume0.size()) return 0.5 * s.spacing;
+  const double v = s.volume0[p];
+  return 0.5 * (s.dimension == 2 ? std::sqrt(v) : std::cbrt(v));
+}
+
+/// Is `offset` from the particle's centre inside its square mapped by F?
+bool in_mapped_square(const Snapshot& s, std::size_t p, const Vec<2>& offset) {
+  if (s.F.size() < 4 * (p + 1)) return offset.cwiseAbs().maxCoeff() <= half_side(s, p);
+  const Mat<2> F = Eigen::Map<const Eigen::Matrix2f>(s.F.data() + 4 * p).cast<double>();
+  const double J = F(0, 0) * F(1, 1) - F(0, 1) * F(1, 0);
+  if (std::abs(J) < 1e-12) return false;
+  const Vec<2> X(F(1, 1) * offset.x() - F(0, 1) * offset.y(), -F(1, 0) * offset.x() + F(0, 0) * offset.y());
+  return (X / J).cwiseAbs().maxCoeff() <= half_side(s, p);
+}
+
+std::optional<std::size_t> pick_flat(const Snapshot& s, const Camera2D& camera, ViewSize size, const Vec<2>& pixel,
+                                     double reach) {
+  const Vec<2> at = camera.to_world(pixel, size).head<2>();
+  std::optional<std::size_t> best;
+  double best_distance = std::numeric_limits<double>::infinity();
+  for (std::size_t p = 0; p < s.particles; ++p) {
+    const Vec<2> offset = at - position(s, p).head<2>();
+    const double d = offset.norm();
+    const bool hit = d * camera.pixels_per_metre <= reach || in_mapped_square(s, p, offset);
+    if (hit && d < best_distance) {
+      best = p;
+      best_distance = d;
+    }
+  }
+  return best;
+}
+
+std::optional<std::size_t> pick_solid(const Snapshot& s, const OrbitCamera& camera, ViewSize size, const Vec<2>& pixel,
+                                      double reach) {
+  const Vec3 eye = camera.eye(), ray = camera.ray(pixel, size);
+  const double radians_per_pixel = 1 / (camera.pixels_per_metre(size) * camera.distance);
+  std::optional<std::size_t> inside, near;
+  double inside_depth = std::numeric_limits<double>::infinity(), near_miss = inside_depth;
+  for (std::size_t p = 0; p < s.particles; ++p) {
+    const Vec3 d = position(s, p) - eye;
+    const double depth = d.dot(ray);
+    if (depth <= 0) continue;
+    const double miss = (d - depth * ray).norm(), radius = 1.24 * half_side(s, p);
+    if (miss <= radius && depth < inside_depth) {
+      inside = p;
+      inside_depth = depth;
+    }
+    const double angle = (miss - radius) / depth;
+    if (angle <= reach * radians_per_pixel && angle < near_miss) {
+      near = p;
+      near_miss = angle;
+    }
+  }
+  return inside ? inside : near;
+}
+
+}  // namespace
+
+std::optional<std::size_t> pick_particle(const Snapshot& snapshot, const Camera& camera, ViewSize size,
+                                         const Vec<2>& pixel, double reach) {
+  if (const auto* flat = std::get_if<Camera2D>(&camera)) return pick_flat(snapshot, *flat, size, pixel, reach);
+  return pick_solid(snapshot, std::get<OrbitCamera>(camera), size, pixel, reach);
+}
+
+ViewBounds particle_bounds(const Snapshot& snapshot) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  ViewBounds b{Vec3::Constant(infinity), Vec3::Constant(-infinity)};
+  for (std::size_t p = 0; p < snapshot.particles; ++p) {
+    const Vec3 x = position(snapshot, p);
+    if (!x.allFinite()) continue;
+    const Vec3 h = Vec3::Constant(half_side(snapshot, p));
+    b.min = b.min.cwiseMin(x - h);
+    b.max = b.max.cwiseMax(x + h);
+  }
+  if (!(b.min.x() <= b.max.x())) return {Vec3::Constant(-0.5), Vec3::Constant(0.5)};
+  if (snapshot.dimension == 2) b.min.z() = b.max.z() = 0;
+  return b;
+}
+
+ViewBounds scene_bounds(const Snapshot& first) {
+  const ViewBounds body = particle_bounds(first);
+  ViewBounds b = body;
+  const double reach = body.size().maxCoeff();
+  if (!first.scene) return b;
+  const auto include = [&](const Vec3& min, const Vec3& max, double limit) {
+    for (int a = 0; a < first.dimension; ++a) {
+      if (std::isfinite(min[a])) b.min[a] = std::min(b.min[a], std::max(min[a], body.min[a] - limit));
+      if (std::isfinite(max[a])) b.max[a] = std::max(b.max[a], std::min(max[a], body.max[a] + limit));
+    }
+  };
+  for (const BoundaryView& solid : first.scene->boundaries) {
+    if (solid.min.head(first.dimension).allFinite() && solid.max.head(first.dimension).allFinite())
+      include(solid.min, solid.max, 1.5 * reach);
+    if (!solid.distance) continue;
+    // The way from the body down to an unbounded floor, with some of the floor itself.
+    const Vec3 below(body.centre().x(), body.min.y(), body.centre().z());
+    for (double d = 0; d < 3 * reach; d += 0.02 * reach) {
+      if (solid.distance(below - Vec3(0, d, 0)) > 0) continue;
+      const double ground = below.y() - d - 0.06 * reach;
+      include(Vec3(INFINITY, ground, INFINITY), Vec3::Constant(INFINITY), 3.1 * reach);
+      break;
+    }
+  }
+  return b;
+}
+
+}  // namespace pf
