@@ -62,19 +62,21 @@ class BatchLaw final : public Law<D> {
   static constexpr std::size_t width = Lanes<Pack>::count;
 
   /// Calls use(F of eight particles, index of the first, how many of them are meant); the rest repeats the last.
+  /// One place calls it: two copies of the inlined formula might be contracted to FMA in two ways.
   template <class Use>
   static void for_packs(std::span<const Mat<D>> F, const Use& use) {
     Square<Pack, D> F_pack;
-    std::size_t p = 0;
-    for (; p + width <= F.size(); p += width) {
-      load_records<D * D>(F[p].data(), F_pack.e);
-      use(F_pack, p, width);
-    }
-    if (p == F.size()) return;
     Mat<D> padded[width];
-    for (std::size_t lane = 0; lane < width; ++lane) padded[lane] = F[std::min(p + lane, F.size() - 1)];
-    load_records<D * D>(padded[0].data(), F_pack.e);
-    use(F_pack, p, F.size() - p);
+    for (std::size_t p = 0; p < F.size(); p += width) {
+      const std::size_t count = std::min(width, F.size() - p);
+      const Mat<D>* first = &F[p];
+      if (count < width) {
+        for (std::size_t lane = 0; lane < width; ++lane) padded[lane] = F[std::min(p + lane, F.size() - 1)];
+        first = padded;
+      }
+      load_records<D * D>(first->data(), F_pack.e);
+      use(F_pack, p, count);
+    }
   }
 
   static void store(const Pack& values, std::span<double> out) {

@@ -5,8 +5,8 @@
 
 namespace pf {
 
-/// Negative eigenvalues of the symmetric A become zero; A that is definite is left untouched, to the bit. NaN stays
-/// NaN.
+/// Negative eigenvalues of the symmetric A become zero; A that is definite (its determinant above rounding) is left
+/// untouched, to the bit. NaN stays NaN.
 template <class T>
 void clamp_psd(Square<T, 2>& A) {
   const T half_sum = 0.5 * (A(0, 0) + A(1, 1)), half_gap = 0.5 * (A(0, 0) - A(1, 1)), off = A(0, 1);
@@ -70,6 +70,7 @@ void clamp_psd(Square<T, 3>& A) {
   const T minor = A(0, 0) * A(1, 1) - A(0, 1) * A(0, 1);
   const auto indefinite = !((A(0, 0) > 0.0) & (minor > 0.0) & (determinant(A) > 0.0));
   if (!any(indefinite)) return;
+  const T all = (A(0, 0) + A(1, 1)) + (A(2, 2) + A(0, 1)) + (A(0, 2) + A(1, 2));  // NaN where any entry is
   Square<T, 3> values = A;
   const Square<T, 3> Q = diagonalise(values);
   T clamped[3];
@@ -77,7 +78,7 @@ void clamp_psd(Square<T, 3>& A) {
   for (int b = 0; b < 3; ++b) {
     for (int a = 0; a <= b; ++a) {
       const T sum = clamped[0] * Q(a, 0) * Q(b, 0) + clamped[1] * Q(a, 1) * Q(b, 1) + clamped[2] * Q(a, 2) * Q(b, 2);
-      A(a, b) = A(b, a) = select(indefinite, sum, A(a, b));
+      A(a, b) = A(b, a) = select(indefinite, select(all == all, sum, all), A(a, b));
     }
   }
 }
