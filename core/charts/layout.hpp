@@ -1,7 +1,6 @@
-// Where everything of a chart goes: pure geometry, from data, theme and text widths.
+// Where everything of a chart goes: pure geometry, from data, theme and text widths. Drawing only paints it.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,51 +12,79 @@
 namespace pf {
 
 struct Box {
-  Point2 min, max;
+  Point2 min = {}, max = {};
   float width() const { return max.x - min.x; }
   float height() const { return max.y - min.y; }
+  Point2 centre() const { return {0.5f * (min.x + max.x), 0.5f * (min.y + max.y)}; }
   bool contains(Point2 p) const { return p.x >= min.x && p.x <= max.x && p.y >= min.y && p.y <= max.y; }
+  bool overlaps(const Box& o) const { return min.x < o.max.x && o.min.x < max.x && min.y < o.max.y && o.min.y < max.y; }
+  Box grown(float by) const { return {{min.x - by, min.y - by}, {max.x + by, max.y + by}}; }
 };
 
 /// Values <-> pixels along one axis.
 struct AxisMap {
   AxisScale scale = AxisScale::linear;
-  double min = 0, max = 1;           ///< values at the ends
-  float from = 0, to = 1;            ///< pixels at the ends
-  double place(double value) const;  ///< NaN where the value has no place; unbounded outside the range
+  double min = 0, max = 1;  ///< values at the ends, min < max
+  double from = 0, to = 1;  ///< pixels there
+  /// NaN where the value has no place; unbounded outside the range.
+  double place(double value) const;
   double value(double pixel) const;
 };
 
 struct PlacedAxis {
   AxisMap map;
   TickSet ticks;
-  std::string title;  ///< with unit and prefix, shortened to fit
+};
+
+enum class TextRole { title, normal, muted, on_light, on_dark };  ///< the last two: on a cell of that lightness
+
+/// A text and the rectangle that it fills.
+struct PlacedText {
+  Point2 at = {};  ///< baseline, as Painter::text takes it
+  std::string text;
+  float size = 0;
+  TextRole role = TextRole::normal;
+  TextAlign align = TextAlign::left;
+  FontWeight weight = FontWeight::regular;
+  int quarter_turns = 0;
+  Box box = {};
+};
+
+/// A series in pixels: clipped to the plot and thinned to what can be seen.
+struct PlacedSeries {
+  std::vector<std::vector<Point2>> lines;
+  std::vector<Point2> marks;  ///< of points; of a line only those without a neighbour
+};
+
+struct PlacedTriangle {
+  Point2 corners[3];  ///< the right angle in the middle
+};
+
+struct LegendEntry {
+  enum class Kind { series, band, key, pareto } kind = Kind::series;
+  std::size_t index = 0;
+  Box swatch = {};
+  PlacedText text = {};
 };
 
 struct PlacedLegend {
-  Box box{};
-  int columns = 1;
-  float column_width = 0;
+  Box box;
   bool covers_plot = false;
-  struct Entry {
-    std::string label;  ///< shortened to fit
-    enum class Kind { series, band, key, pareto } kind = Kind::series;
-    std::size_t index = 0;
-  };
-  std::vector<Entry> entries;  ///< none: no legend
+  std::vector<LegendEntry> entries;  ///< none: no legend
 };
 
 struct ChartLayout {
-  Box outer{}, plot{};
+  Box outer, plot;
   PlacedAxis x, y;
-  std::optional<PlacedAxis> right;
-  std::string title, subtitle;  ///< shortened to fit
-  float title_baseline = 0, subtitle_baseline = 0, x_title_baseline = 0;
-  float y_title_x = 0, right_title_x = 0;  ///< baselines of the turned titles
+  std::optional<PlacedAxis> right, color;
+  Box color_bar;
+  std::vector<PlacedSeries> series;  ///< one a series of the chart
+  std::vector<PlacedTriangle> triangles;
+  std::vector<PlacedText> texts;  ///< all but the legend's
   PlacedLegend legend;
-  std::optional<Box> color_bar;
-  std::optional<PlacedAxis> color_axis;
 
+  const AxisMap& vertical(const Chart& chart, std::size_t series_index) const;
+  /// The pixel of a data point; NaN where it has no place.
   Point2 place(const Chart& chart, PointId point) const;
 };
 
@@ -68,13 +95,13 @@ ChartLayout lay_out(const Chart& chart, const ChartTheme& theme, Point2 min, Poi
 struct ChartHit {
   PointId point;
   double x = 0, y = 0;  ///< its values
-  Point2 at{};          ///< its pixel
+  Point2 at;            ///< its pixel
   float distance = 0;   ///< [pixels]
 };
 /// Nothing within `radius` pixels, or `at` outside the plot: nullopt.
 std::optional<ChartHit> hit_test(const Chart& chart, const ChartLayout& layout, Point2 at, float radius = 12);
 
-/// Scale the view by `factor` (< 1 zooms in) about the pixel `at`, on the axes asked for; limits keep numbers sane.
+/// Scale the view by `factor` (< 1 zooms in) about the pixel `at`, on the axes asked for; spans stay representable.
 void zoom(Chart& chart, const ChartLayout& layout, Point2 at, double factor, bool along_x = true, bool along_y = true);
 /// Move the view with the mouse by pixels.
 void pan(Chart& chart, const ChartLayout& layout, Point2 by);
