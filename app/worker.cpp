@@ -163,6 +163,8 @@ void Session::Worker::build(const Scene& scene, bool run) {
     simulation_.reset();
     failure = error.what();
   }
+  // First the picture, then the word that it is there.
+  if (simulation_) publish();
   {
     const std::lock_guard lock(mutex);
     SessionStatus fresh;
@@ -181,7 +183,6 @@ void Session::Worker::build(const Scene& scene, bool run) {
   if (!simulation_) return fail(failure);
   set_state(run ? RunState::running : RunState::paused);
   pacer_.set_rate(rate_, simulation_->time(), Clock::now());
-  publish();
 }
 
 void Session::Worker::set_state(RunState state) {
