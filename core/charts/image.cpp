@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "core/scene/scene_io.hpp"
+#include "core/params/problem.hpp"
 
 namespace pf {
 

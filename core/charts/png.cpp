@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "core/charts/image.hpp"
-#include "core/scene/scene_io.hpp"
+#include "core/params/problem.hpp"
 
 #define STB_IMAGE_WRITE_STATIC
 #define STB_IMAGE_WRITE_IMPLEMENTATION

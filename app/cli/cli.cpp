@@ -1,0 +1,227 @@
+// The command line: what may be said, and what is said back when it is wrong.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <new>
+
+#include "app/cli/commands.hpp"
+#include "core/build_info.hpp"
+#include "core/output/export.hpp"
+#include "core/params/nearest.hpp"
+#include "core/params/problem.hpp"
+
+namespace pf::app {
+
+namespace {
+
+constexpr const char* about =
+    "Pushforward: an interactive workbench for the implicit material point method.\n"
+    "Without a subcommand, opens the app on SCENE, or on the welcome scene.";
+constexpr const char* exit_statuses =
+    "Exit status: 0 done; 2 bad usage or bad input; 3 the simulation could not go on; 4 a file could not be read or "
+    "written; 130 interrupted.";
+constexpr const char* set_help =
+    "override a scene value: /pointer=VALUE, for instance /time/step=0.005; may be repeated";
+
+struct Parsed {
+  std::string scene;
+  std::vector<std::string> sets, files;
+  std::string kind;
+  RunOptions run;
+  std::string images;
+  bool version = false;
+};
+
+// "1280x800"; throws CLI::ValidationError.
+PictureSize parse_size(const std::string& text) {
+  PictureSize size;
+  int used = 0;
+  constexpr int least = 16, most = 16384;
+  if (std::sscanf(text.c_str(), "%dx%d%n", &size.width, &size.height, &used) != 2 ||
+      used != static_cast<int>(text.size()) || std::min(size.width, size.height) < least ||
+      std::max(size.width, size.height) > most)
+    throw CLI::ValidationError("--images",
+                               "found \"" + text + "\"; allowed: WIDTHxHEIGHT, each from 16 to 16384 pixels");
+  return size;
+}
+
+// A number with nothing behind it, within (least, most].
+CLI::Validator above_zero() {
+  return CLI::Validator(
+      [](std::string& text) -> std::string {
+        double value = 0;
+        return CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0
+                   ? ""
+                   : "found \"" + text + "\"; allowed: a number of seconds above 0";
+      },
+      "SECONDS");
+}
+
+CLI::Option* add_sets(CLI::App& app, std::vector<std::string>& sets) {
+  return app.add_option("--set", sets, set_help)->type_name("/POINTER=VALUE")->allow_extra_args(false);
+}
+
+void add_run(CLI::App& app, Parsed& parsed) {
+  RunOptions& run = parsed.run;
+  CLI::App* command = app.add_subcommand("run", "simulate without a window");
+  command->add_option("SCENE", run.scene, "scene file, or the name of a shipped scene")->required();
+  add_sets(*command, run.sets);
+  command->add_option("--until", run.until, "simulate to this time instead of the scene's time.end")
+      ->check(above_zero())
+      ->type_name("SECONDS");
+  command->add_option("--steps", run.steps, "stop after this many steps")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  command->add_option("--threads", run.threads, "threads; default all; never changes a result")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  command->add_option("--out", run.out, "folder for stats.csv, summary.json and the files below")->type_name("DIR");
+  command->add_flag("--quiet", run.quiet, "only warnings and errors");
+  command
+      ->add_option("--images", parsed.images,
+                   "one PNG a frame, drawn off-screen (--images=1920x1200; default 1280x800)")
+      ->type_name("[=WxH]");
+  command->add_option("--video", run.video, "the frames as a film (--video=FILE.mp4; needs ffmpeg)")
+      ->type_name("FILE.mp4");
+  std::vector<std::string> formats;
+  for (const ExportFormat& format : export_formats()) formats.emplace_back(format.name);
+  command->add_option("--export", run.export_format, "particles (and with vtk the active grid), one file a frame")
+      ->check(CLI::IsMember(formats))
+      ->type_name("vtk|ply|csv");
+  command->add_option("--checkpoint-every", run.checkpoint_every, "save the whole state, every so much simulated time")
+      ->check(above_zero())
+      ->type_name("SECONDS");
+  command->add_option("--resume", run.resume, "go on from a checkpoint of the same scene")->type_name("FILE");
+  command->footer(exit_statuses);
+}
+
+void add_commands(CLI::App& app, Parsed& parsed) {
+  app.add_option("SCENE", parsed.scene, "scene file, or the name of a shipped scene");
+  add_sets(app, parsed.sets);
+  app.set_help_flag("--help,-h", "this text; each subcommand has its own");
+  app.add_flag("--version", parsed.version, "version, commit and compiler");
+  app.footer(exit_statuses);
+  app.require_subcommand(0, 1);
+  add_run(app, parsed);
+  CLI::App* check = app.add_subcommand("check", "validate scenes: every problem found, not just the first");
+  check->add_option("SCENE", parsed.files, "scene files")->required();
+  CLI::App* list = app.add_subcommand("list", "names that a scene may use, one first on each line");
+  list->add_option("KIND", parsed.kind, "what to list")->required()->check(CLI::IsMember(list_kinds()));
+  app.add_subcommand("schema", "JSON Schema of the scene file");
+}
+
+void complain(const std::string& text) {
+  std::fprintf(stderr, "pushforward: %s\n", text.c_str());
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+// Says for each argument that nobody wanted what was probably meant.
+void complain_of_extras(const CLI::App& app) {
+  const CLI::App* used = &app;
+  if (!app.get_subcommands().empty()) used = app.get_subcommands().front();
+  for (const std::string& extra : app.remaining(true)) {
+    const std::string name = extra.substr(0, extra.find('='));
+    if (!name.starts_with("-")) {
+      complain("found \"" + extra + "\", one argument too many; see pushforward " +
+               (used == &app ? "" : used->get_name() + " ") + "--help");
+      continue;
+    }
+    std::vector<std::string> known = option_names(*used);
+    const std::string near = nearest_name(name, known);
+    complain("unknown option " + name + (near.empty() ? "" : "; did you mean " + near + "?"));
+    std::string all;
+    for (const std::string& option : known) all += " " + option;
+    std::fprintf(stderr, "allowed:%s\n", all.c_str());
+  }
+}
+
+// A first word that is neither a subcommand nor a file: a slip of the pen, or a command that this version lacks.
+bool is_unknown_command(const CLI::App& app, const std::string& scene) {
+  if (scene.empty() || scene.find_first_of("/.") != std::string::npos || std::filesystem::exists(scene)) return false;
+  const std::vector<std::string> scenes = shipped_scenes();
+  if (std::find(scenes.begin(), scenes.end(), scene) != scenes.end()) return false;
+  std::vector<std::string> commands;
+  std::string all;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    commands.push_back(command->get_name());
+    all += (all.empty() ? "" : ", ") + command->get_name();
+  }
+  const std::string near = nearest_name(scene, commands);
+  complain("\"" + scene + "\" is neither a command nor a scene file" +
+           (near.empty() ? "" : "; did you mean " + near + "?") + " Commands: " + all);
+  return true;
+}
+
+int dispatch(CLI::App& app, Parsed& parsed) {
+  if (app.got_subcommand("run")) {
+    if (!parsed.images.empty()) parsed.run.images = parse_size(parsed.images);
+    return run_scene(parsed.run);
+  }
+  if (app.got_subcommand("check")) return check_scenes(parsed.files);
+  if (app.got_subcommand("list")) return list_names(parsed.kind);
+  if (app.got_subcommand("schema")) return print_schema();
+  if (is_unknown_command(app, parsed.scene)) return exit_bad_input;
+  return open_app(parsed.scene, parsed.sets);
+}
+
+int parse_and_dispatch(const std::vector<std::string>& arguments) {
+  CLI::App app(about, "pushforward");
+  Parsed parsed;
+  add_commands(app, parsed);
+  // CLI11 takes them from the back. A bare --images has the default size and no value of its own.
+  std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+  for (std::string& argument : reversed)
+    if (argument == "--images") argument = "--images=1280x800";
+  try {
+    app.parse(std::move(reversed));
+    if (parsed.version) {
+      std::printf("pushforward %s\n", version_text().c_str());
+      return exit_done;
+    }
+    return dispatch(app, parsed);
+  } catch (const CLI::CallForHelp&) {
+    const auto used = app.get_subcommands();
+    std::cout << (used.empty() ? app.help() : used.front()->help("pushforward")) << std::flush;
+    return exit_done;
+  } catch (const CLI::ExtrasError&) {
+    complain_of_extras(app);
+  } catch (const CLI::ParseError& error) {
+    complain(error.what());
+  }
+  return exit_bad_input;
+}
+
+}  // namespace
+
+std::string version_text() {
+  const BuildInfo build = build_info();
+  return std::string(build.version) + " (commit " + std::string(build.commit) + ", " + std::string(build.compiler) +
+         ")";
+}
+
+int run_command_line(const std::vector<std::string>& arguments) {
+  try {
+    return parse_and_dispatch(arguments);
+  } catch (const InputError& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return exit_bad_input;
+  } catch (const FileError& error) {
+    complain(error.what());
+    return exit_file_error;
+  } catch (const std::bad_alloc&) {
+    complain("out of memory: try fewer particles_per_axis or a larger /grid/spacing");
+    return exit_simulation_failed;
+  } catch (const std::exception& error) {
+    complain(std::string("this should not have happened: ") + error.what());
+    return exit_simulation_failed;
+  }
+}
+
+}  // namespace pf::app

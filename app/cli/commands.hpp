@@ -1,0 +1,63 @@
+// The subcommands. Each returns an exit status; InputError and FileError are reported by run_command_line.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.hpp"
+
+namespace pf::app {
+
+/// INTERFACE, "Exit status".
+enum ExitStatus : int {
+  exit_done = 0,
+  exit_comparison_failed = 1,
+  exit_bad_input = 2,
+  exit_simulation_failed = 3,
+  exit_file_error = 4,
+  exit_interrupted = 130,
+};
+
+struct PictureSize {
+  int width = 1280, height = 800;  ///< [pixels]
+};
+
+struct RunOptions {
+  std::string scene;              ///< file, or name of a shipped scene
+  std::vector<std::string> sets;  ///< --set, in order
+  std::optional<double> until;    ///< [s]
+  std::optional<long> steps;
+  std::optional<int> threads;
+  std::optional<std::filesystem::path> out;
+  bool quiet = false;
+  std::optional<PictureSize> images;
+  std::optional<std::filesystem::path> video;
+  std::optional<std::string> export_format;
+  std::optional<double> checkpoint_every;  ///< [s] of simulated time
+  std::optional<std::filesystem::path> resume;
+};
+
+/// The whole command line, without the program's name. Never throws.
+int run_command_line(const std::vector<std::string>& arguments);
+
+int run_scene(const RunOptions& options);
+int check_scenes(const std::vector<std::string>& files);
+int list_names(const std::string& kind);
+int print_schema();
+/// `scene` empty: the welcome scene, without a window where none can be opened.
+int open_app(const std::string& scene, const std::vector<std::string>& sets);
+
+/// What `list` takes.
+std::vector<std::string> list_kinds();
+/// `name` where such a file exists, else the shipped scene of that name. Throws FileError, the nearest name suggested.
+std::filesystem::path find_scene(const std::string& name);
+/// The shipped scenes' names, sorted.
+std::vector<std::string> shipped_scenes();
+/// --set arguments as edits. Throws InputError.
+std::vector<Edit> parse_sets(const std::vector<std::string>& sets);
+/// "0.1.0 (commit 0123456789ab, GNU 12.2.0)".
+std::string version_text();
+
+}  // namespace pf::app

@@ -1,0 +1,54 @@
+// stats.csv and probes.csv: what each step did, to the letter of INTERFACE.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "core/files.hpp"
+#include "core/runner.hpp"
+
+namespace pf {
+
+/// First line of stats.csv, without its end. In 2D momentum_z and angular momentum about x and y are left out;
+/// errors are there where the scene has an exact motion.
+std::string stats_header(int dimension, bool exact);
+/// One row, without its end.
+std::string stats_row(const StepReport& report, int dimension, bool exact);
+
+/// First line of probes.csv.
+std::string probes_header(int dimension);
+
+/// A row each state. Rows up to `kept_step` are in the file already (a run that is continued in its own folder).
+class StatsWriter : public RunObserver {
+ public:
+  StatsWriter(const std::filesystem::path& file, const Scene& scene, std::optional<long> kept_step = {});
+  void on_state(const Simulation& simulation) override;
+  void on_end(const Simulation& simulation, const RunResult& result) override;
+
+ private:
+  OutputFile file_;
+  int dimension_;
+  bool exact_;
+  long kept_step_;
+};
+
+/// A row each probe and state.
+class ProbesWriter : public RunObserver {
+ public:
+  ProbesWriter(const std::filesystem::path& file, const Scene& scene, std::optional<long> kept_step = {});
+  void on_state(const Simulation& simulation) override;
+  void on_end(const Simulation& simulation, const RunResult& result) override;
+
+ private:
+  OutputFile file_;
+  long kept_step_;
+};
+
+/// Before continuing in the folder of an earlier run: drops the rows after `step` (stats.csv) or after `time`
+/// (probes.csv). False, and nothing done, where the file is not there, has another header, or no row of that step.
+bool keep_stats_until(const std::filesystem::path& file, const std::string& header, long step, double time);
+bool keep_probes_until(const std::filesystem::path& file, const std::string& header, double time);
+
+}  // namespace pf
