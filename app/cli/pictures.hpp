@@ -10,17 +10,18 @@
 
 namespace pf::app {
 
-struct PictureOptions {
+struct FrameOutput {
   PictureSize size;
   std::optional<std::filesystem::path> folder;  ///< NNNNNN.png of each frame goes here
-  std::optional<std::filesystem::path> video;   ///< H.264 film, made by ffmpeg
+  std::optional<std::filesystem::path> video;   ///< film of all frames
   double frames_per_second = 30;                ///< of the film
 };
 
+/// Draws each frame as `view.color_by` says.
 class PictureWriter : public RunObserver {
  public:
-  /// Throws FileError where nothing can be drawn here, or where ffmpeg is wanted and missing.
-  PictureWriter(const PictureOptions& options, const Scene& scene);
+  /// Throws FileError where nothing can be drawn or written here, InputError where a film is wanted without ffmpeg.
+  PictureWriter(const FrameOutput& output, const Scene& scene);
   ~PictureWriter() override;
   void on_frame(const Simulation& simulation, long number) override;
   void on_end(const Simulation& simulation, const RunResult& result) override;

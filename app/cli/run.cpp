@@ -61,7 +61,7 @@ class Outputs {
       if (!scene.probes.empty()) add<ProbesWriter>(folder.probes(), scene, kept.step);
     }
     if (options.images || options.video) {
-      PictureOptions pictures;
+      FrameOutput pictures;
       pictures.size = options.images.value_or(PictureSize{});
       if (options.images) pictures.folder = folder.images();
       if (options.video) pictures.video = *options.video;

@@ -1,5 +1,6 @@
 #include "core/output/particle_table.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
