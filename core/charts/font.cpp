@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/assets.hpp"
-#include "core/scene/scene_io.hpp"
+#include "core/params/problem.hpp"
 
 // Internal linkage: Dear ImGui, and a packaged libstb, bring their own.
 #define STBTT_STATIC
