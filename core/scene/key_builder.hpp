@@ -158,16 +158,18 @@ class TableOf {
     return Row(row);
   }
 
-  /// An array of at most `most` objects.
+  /// An array of `least` to `most` objects.
   template <class Item>
-  Row list(std::vector<Item> T::*member, const Table& (*child)(), std::size_t most, std::string key,
+  Row list(std::vector<Item> T::*member, const Table& (*child)(), std::size_t least, std::size_t most, std::string key,
            std::string label) {
     Key& row = add(key, std::move(label), "", SettingKind::text);
     row.nesting = Nesting::list;
     row.child = child;
+    row.setting.min = static_cast<double>(least);
     row.setting.max = static_cast<double>(most);
     row.read = [=](Reader& r, const Json& j, void* o) {
       if (!j.is_array()) return r.refuse(describe(j), "an array [ ... ] of objects");
+      if (j.size() < least) return r.refuse(describe(j), std::to_string(least) + " or more");
       if (!check_count(r, j.size(), most, key)) return;
       auto& items = static_cast<T*>(o)->*member;
       items.resize(j.size());

@@ -135,7 +135,9 @@ Constants read_constants(Reader& reader, const Json& json) {
       reader.refuse("the name " + quoted_excerpt(name) + ", which has a meaning in expressions", "another name");
     } else if (!value.is_number()) {
       reader.refuse(describe(value), "a number");
-    } else if (std::isfinite(value.get<double>())) {
+    } else if (std::abs(value.get<double>()) > largest_constant) {
+      reader.refuse(describe(value), "numbers up to 1e300");
+    } else if (std::isfinite(value.get<double>())) {  // a NaN has been reported by read_json
       constants.emplace_back(name, value.get<double>());
     }
   }

@@ -39,6 +39,7 @@ void check_scene(Reader& reader, const Scene& scene, const Json& document);
 /// Applies the events in the order of their times to the scene as written in `document`.
 void check_events(Reader& reader, const Scene& scene, const Json& document);
 /// Constants: names that expressions can use, finite numbers.
+inline constexpr double largest_constant = 1e300;
 Constants read_constants(Reader& reader, const Json& json);
 
 /// The scene in `document`; what is wrong is among the reader's problems. `events`: check them, too.

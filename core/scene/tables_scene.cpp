@@ -55,7 +55,7 @@ const Table& constant_table() {
   static const Table table = [] {
     TableOf<Formula> t("Constants");  // one row for every name
     t.number(&Formula::number, "*", "Constant", "")
-        .within(1e300)
+        .within(largest_constant)
         .slider(-10, 10)
         .reset()
         .help("A name for use in expressions.");
@@ -168,16 +168,16 @@ const Table& scene_table() {
     t.object(&Scene::transfer, transfer_table, "transfer", "Transfer");
     t.object(&Scene::solver, solver_table, "solver", "Solver");
     add_materials(t);
-    t.list(&Scene::bodies, body_table, most_bodies, "bodies", "Bodies").at_least(1).required();
-    t.list(&Scene::boundaries, boundary_table, most_boundaries, "boundaries", "Boundaries");
-    t.list(&Scene::constraints, constraint_table, most_constraints, "constraints", "Constraints");
-    t.list(&Scene::loads, load_table, most_loads, "loads", "Loads");
+    t.list(&Scene::bodies, body_table, 1, most_bodies, "bodies", "Bodies").required();
+    t.list(&Scene::boundaries, boundary_table, 0, most_boundaries, "boundaries", "Boundaries");
+    t.list(&Scene::constraints, constraint_table, 0, most_constraints, "constraints", "Constraints");
+    t.list(&Scene::loads, load_table, 0, most_loads, "loads", "Loads");
     add_exact(t);
     t.flag(&Scene::manufactured, "manufactured", "Manufactured solution")
         .reset()
         .help("Derive the body force, the surface traction and the initial state that make \"exact\" the solution.");
-    t.list(&Scene::probes, probe_table, most_probes, "probes", "Probes");
-    t.list(&Scene::events, event_table, most_events, "events", "Events");
+    t.list(&Scene::probes, probe_table, 0, most_probes, "probes", "Probes");
+    t.list(&Scene::events, event_table, 0, most_events, "events", "Events");
     t.object(&Scene::view, view_table, "view", "View");
     return t.take();
   }();
