@@ -1,7 +1,10 @@
 // A shape made ready for use: containment, distance, normals, exact measure, surface quadrature.
+// In 2D every z is 0 and that of an argument is ignored; areas and volumes are per unit thickness.
 #pragma once
 
 #include <memory>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "core/math/expression.hpp"
@@ -28,6 +31,8 @@ class Solid {
   virtual bool contains(const Vec3& p, double tolerance) const = 0;
   /// Signed distance, negative inside; exact for primitives, a bound of the right sign for booleans and `where`.
   virtual double distance(const Vec3& p) const = 0;
+  /// |distance(p)| never exceeds the distance from p to the surface: a ball of that radius has no surface in it.
+  virtual bool distance_is_bound() const = 0;
   /// Outward unit normal of the nearest surface point (gradient of distance()).
   virtual Vec3 normal(const Vec3& p) const = 0;
   /// Contact (THEORY T7): appends the unit normals, pointing out of the solid, of every face that p lies behind.
@@ -39,11 +44,18 @@ class Solid {
   /// Area (2D, unit thickness) or volume; exact for box, ball, cylinder and polygon, by sub-cell integration
   /// with cell size `h` otherwise. Infinite for unbounded shapes.
   virtual double measure(double h) const = 0;
-  /// Points of the surface, spaced by at most `h`, whose areas add up to the surface's own.
+  /// Points of the surface, spaced by at most `h`, whose areas add up to the surface's own (booleans and `where`: to
+  /// the order of h). Faces without end (a half space by itself) have none.
   virtual std::vector<SurfacePoint> surface(double h) const = 0;
 };
 
-/// `shape` has been checked. Expressions in it may use `constants`.
+/// The names of all shape types, in the order in which they are offered.
+std::span<const std::string_view> shape_types();
+
+/// `shape` has been checked: its type exists in this dimension, its numbers are finite, its members are there; else
+/// std::invalid_argument. Expressions in it may use `constants` (else ExpressionError). `scale`, `rotate` and
+/// `translate` apply about the centre of the shape's bounds; a half space's centre is its point, and where a boolean
+/// has no end its centre has coordinate 0.
 std::unique_ptr<Solid> make_solid(const Shape& shape, int dimension, const Constants& constants);
 
 }  // namespace pf

@@ -1,0 +1,112 @@
+#include "core/scene/solid.hpp"
+
+#include <Eigen/Geometry>
+#include <array>
+#include <numbers>
+#include <stdexcept>
+
+#include "core/scene/shapes/shape_solid.hpp"
+
+namespace pf {
+namespace {
+
+constexpr int max_nesting = 64;
+
+SolidPointer make(const Shape& shape, int dimension, const Constants& constants, int nesting);
+
+std::vector<SolidPointer> make_members(const Shape& shape, int dimension, const Constants& constants, int nesting) {
+  if (shape.of.empty()) throw std::invalid_argument("a " + shape.type + " of nothing");
+  std::vector<SolidPointer> members;
+  for (const Shape& member : shape.of) members.push_back(make(member, dimension, constants, nesting + 1));
+  return members;
+}
+
+struct ShapeType {
+  std::string_view name;
+  SolidPointer (*make)(const Shape& shape, int dimension, const Constants& constants, int nesting);
+};
+
+/// Every shape: one line a type.
+constexpr ShapeType types[] = {
+    {"box", [](const Shape& s, int D, const Constants&, int) { return make_box(s, D); }},
+    {"ball", [](const Shape& s, int D, const Constants&, int) { return make_ball(s, D); }},
+    {"cylinder",
+     [](const Shape& s, int D, const Constants&, int) {
+       if (D != 3) throw std::invalid_argument("a cylinder needs 3 dimensions");
+       return make_cylinder(s);
+     }},
+    {"polygon",
+     [](const Shape& s, int D, const Constants&, int) {
+       if (D != 2 || s.points.empty()) throw std::invalid_argument("a polygon needs points in 2 dimensions");
+       return make_polygon(s);
+     }},
+    {"half_space", [](const Shape& s, int D, const Constants&, int) { return make_half_space(s, D); }},
+    {"where", [](const Shape& s, int D, const Constants& c, int) { return make_where(s, D, c); }},
+    {"union", [](const Shape& s, int D, const Constants& c, int n) { return make_union(make_members(s, D, c, n), D); }},
+    {"difference",
+     [](const Shape& s, int D, const Constants& c, int n) { return make_difference(make_members(s, D, c, n), D); }},
+    {"intersection",
+     [](const Shape& s, int D, const Constants& c, int n) { return make_intersection(make_members(s, D, c, n), D); }},
+};
+
+constexpr auto names = [] {
+  std::array<std::string_view, std::size(types)> list;
+  for (std::size_t i = 0; i < list.size(); ++i) list[i] = types[i].name;
+  return list;
+}();
+
+Vec3 center_of(const Shape& shape, const Solid& solid) {
+  if (shape.type == "half_space") return shape.point;
+  const Bounds b = solid.bounds();
+  Vec3 center = Vec3::Zero();
+  for (int a = 0; a < 3; ++a)
+    if (std::isfinite(b.min[a]) && std::isfinite(b.max[a])) center[a] = 0.5 * b.min[a] + 0.5 * b.max[a];
+  return center;
+}
+
+Mat3 rotation_of(const Shape& shape, int dimension) {
+  const Vec3 axis = dimension == 2 ? Vec3::UnitZ() : shape.rotate_axis.stableNormalized();
+  Mat3 R = Eigen::AngleAxisd(shape.rotate_degrees * std::numbers::pi / 180, axis).toRotationMatrix();
+  // A quarter turn keeps faces parallel to the axes, exactly.
+  for (int i = 0; i < 9; ++i)
+    for (const double exact : {-1.0, 0.0, 1.0})
+      if (std::abs(R(i) - exact) < 1e-15) R(i) = exact;
+  return R;
+}
+
+SolidPointer make(const Shape& shape, int dimension, const Constants& constants, int nesting) {
+  if (nesting > max_nesting) throw std::invalid_argument("shapes are nested too deep");
+  const auto type = std::ranges::find(types, shape.type, &ShapeType::name);
+  if (type == std::end(types)) throw std::invalid_argument("no shape is called \"" + shape.type + "\"");
+  SolidPointer solid = type->make(shape, dimension, constants, nesting);
+  const bool moved = shape.scale != 1 || shape.rotate_degrees != 0 || !shape.translate.isZero(0);
+  if (!moved) return solid;
+  Vec3 translation = shape.translate, center = center_of(shape, *solid);
+  if (dimension == 2) translation.z() = center.z() = 0;
+  return make_transformed(std::move(solid), shape.scale, rotation_of(shape, dimension), center, translation);
+}
+
+}  // namespace
+
+std::span<const std::string_view> shape_types() {
+  return names;
+}
+
+std::unique_ptr<Solid> make_solid(const Shape& shape, int dimension, const Constants& constants) {
+  return make(shape, dimension, constants, 0);
+}
+
+void complete_basis(const Vec3& n, Vec3& u, Vec3& v) {
+  int least = 0;
+  n.cwiseAbs().minCoeff(&least);
+  u = n.cross(Vec3::Unit(least)).normalized();
+  v = n.cross(u);
+}
+
+void add_normal(const Vec3& n, std::vector<Vec3>& normals) {
+  for (const Vec3& other : normals)
+    if (other.dot(n) > 1 - 1e-12) return;
+  normals.push_back(n);
+}
+
+}  // namespace pf
