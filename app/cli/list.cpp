@@ -4,7 +4,7 @@
 #include "app/cli/commands.hpp"
 #include "core/assets.hpp"
 #include "core/materials/law.hpp"
-#include "core/params/choices.hpp"
+#include "core/scene/choices.hpp"
 #include "core/scene/scene_io.hpp"
 
 namespace pf::app {
@@ -49,10 +49,10 @@ struct Kind {
 
 constexpr Kind kinds[] = {
     {"materials", materials},
-    {"bases", [] { return lines(bases()); }},
-    {"integrators", [] { return lines(integrators()); }},
-    {"transfers", [] { return lines(transfers()); }},
-    {"solvers", [] { return lines(linear_solvers()); }},
+    {"bases", [] { return lines(basis_choices()); }},
+    {"integrators", [] { return lines(integrator_choices()); }},
+    {"transfers", [] { return lines(transfer_choices()); }},
+    {"solvers", [] { return lines(solver_choices()); }},
     {"scenes", scenes},
 };
 

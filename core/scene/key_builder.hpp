@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/params/choices.hpp"
+#include "core/scene/choices.hpp"
 #include "core/scene/keys.hpp"
 
 namespace pf {

@@ -220,7 +220,7 @@ Json schema_of_key(const Key& key) {
 const Table& shape_table() {
   static const Table table = [] {
     TableOf<Shape> t("Shape");
-    t.choice(&Shape::type, "type", "Type").choices(shapes()).required().reset().help("What kind of shape it is.");
+    t.choice(&Shape::type, "type", "Type").choices(shape_choices()).required().reset().help("What kind of shape it is.");
     add_geometry(t);
     Key& of = t.own(Nesting::list, shape_table, "of", "Members");
     of.setting.help = "Of union, difference and intersection: the shapes that they are made of.";
@@ -281,8 +281,8 @@ Json shape_schema() {
       required.push_back(name);
     }
     for (const std::string& name : common_keys()) properties[name] = schema_of_key(*shape_table().find(name));
-    kinds.push_back({{"title", find_choice(shapes(), shape.type)->label},
-                     {"description", find_choice(shapes(), shape.type)->help},
+    kinds.push_back({{"title", find_choice(shape_choices(), shape.type)->label},
+                     {"description", find_choice(shape_choices(), shape.type)->help},
                      {"type", "object"},
                      {"properties", std::move(properties)},
                      {"required", std::move(required)},

@@ -19,7 +19,7 @@ const Table& grid_table() {
             "converged; "
             "cost grows with the inverse square (2D) or cube (3D).");
     t.choice(&GridSettings::basis, "basis", "Shape functions")
-        .choices(bases())
+        .choices(basis_choices())
         .live()
         .help(
             "The functions that carry the motion from nodes to particles. Linear ones jump in gradient at cell faces; "
@@ -55,7 +55,7 @@ const Table& time_table() {
             "How often a picture or an export is due: at the first step that reaches each multiple. Absent: every "
             "step.");
     t.choice(&TimeSettings::control, "control", "Step control")
-        .choices(step_controls())
+        .choices(step_control_choices())
         .live()
         .help("How the length of a step is chosen.");
     return t.take();
@@ -67,13 +67,13 @@ const Table& integrator_table() {
   static const Table table = [] {
     TableOf<IntegratorSettings> t("Time integration");
     t.choice(&IntegratorSettings::type, "type", "Time integrator")
-        .choices(integrators())
+        .choices(integrator_choices())
         .live()
         .help(
             "Implicit schemes solve for the end of the step by Newton's method; explicit ones need none but small "
             "steps.");
     t.choice(&IntegratorSettings::mass, "mass", "Inertia mass")
-        .choices(masses())
+        .choices(mass_choices())
         .live()
         .help(
             "Mass matrix of the inertia term. Lumped is diagonal; the consistent one is more accurate and costs more.");
@@ -86,7 +86,7 @@ const Table& transfer_table() {
   static const Table table = [] {
     TableOf<TransferSettings> t("Transfer between particles and grid");
     t.choice(&TransferSettings::type, "type", "Transfer")
-        .choices(transfers())
+        .choices(transfer_choices())
         .live()
         .help(
             "How particles take their velocity back from the grid: PIC damps, FLIP keeps energy, APIC keeps angular "
@@ -99,7 +99,7 @@ const Table& transfer_table() {
         .help(
             "Share of FLIP in the blend; the rest is PIC. 1 keeps energy and noise, 0 is pure PIC. Used by flip only.");
     t.choice(&TransferSettings::velocity_mass, "velocity_mass", "Velocity-transfer mass")
-        .choices(masses())
+        .choices(mass_choices())
         .live()
         .help(
             "Mass matrix by which momenta become node velocities. Consistent removes most of PIC's damping; it cannot "
@@ -127,7 +127,7 @@ const Table& solver_table() {
         .live()
         .help("After this many without convergence the step is tried again with a smaller dt.");
     t.choice(&SolverSettings::linear, "linear", "Linear solver")
-        .choices(linear_solvers())
+        .choices(solver_choices())
         .live()
         .help("Solves the linear system of each Newton iteration; every choice gives the same result to tolerance.");
     return t.take();

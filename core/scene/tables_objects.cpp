@@ -41,7 +41,7 @@ const Table& body_table() {
         .reset()
         .help("2 gives 4 particles a cell in 2D and 8 in 3D. More bear larger stretch before the body tears.");
     t.choice(&Body::sampling, "sampling", "Sampling")
-        .choices(samplings())
+        .choices(sampling_choices())
         .reset()
         .help("How the particles are laid out at the start.");
     t.integer(&Body::seed, "seed", "Seed")
@@ -63,7 +63,7 @@ const Table& boundary_table() {
         .reset()
         .help("Solid outside the shape instead of inside: a container.");
     t.choice(&Boundary::contact, "contact", "Contact")
-        .choices(contacts())
+        .choices(contact_choices())
         .live()
         .help("What material that touches may do.");
     t.number(&Boundary::friction, "friction", "Friction", "")

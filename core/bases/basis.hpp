@@ -1,0 +1,29 @@
+// Shape functions of the background grid, one direction at a time (THEORY T2): N_i(x) is the product over the axes.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace pf {
+
+inline constexpr int max_nodes_per_axis = 4;
+
+/// A tensor-product basis. `weights(s, base, N, dN)`: s = x/dx; the nodes base, base + 1, ... (nodes_per_axis of
+/// them) have N_r = N(s - base - r) and dN_r = N'(s - base - r) (per unit of s: divide by dx).
+struct BasisInfo {
+  std::string_view name;   ///< as in the scene file
+  std::string_view label;  ///< plain name
+  std::string_view about;
+  int nodes_per_axis;
+  /// D_p = sum N (x_j - x_p)(x)(x_j - x_p) is a positive constant times dx^2 (quadratic, cubic); for the linear basis
+  /// it is singular and APIC takes its affine part from grad N (THEORY T5).
+  bool affine_by_moments;
+  void (*weights)(double s, long long& base, double* N, double* dN);
+};
+
+/// Every basis, in the order in which it is offered.
+std::span<const BasisInfo> bases();
+/// nullptr when no basis has this name.
+const BasisInfo* find_basis(std::string_view name);
+
+}  // namespace pf

@@ -1,0 +1,28 @@
+// Cubic B-spline: N = 2/3 - r^2 + |r|^3/2 for |r| < 1, (2 - |r|)^3 / 6 up to 2 (THEORY T2). Class C^2.
+#pragma once
+
+#include <cmath>
+
+#include "core/bases/basis.hpp"
+
+namespace pf {
+
+inline void cubic_weights(double s, long long& base, double* N, double* dN) {
+  const double floor = std::floor(s);
+  base = static_cast<long long>(floor) - 1;
+  const double f = s - floor, g = 1 - f;  // distances to the two inner nodes
+  N[0] = g * g * g / 6;
+  N[1] = 2.0 / 3 - f * f + 0.5 * f * f * f;
+  N[2] = 2.0 / 3 - g * g + 0.5 * g * g * g;
+  N[3] = f * f * f / 6;
+  dN[0] = -0.5 * g * g;
+  dN[1] = -2 * f + 1.5 * f * f;
+  dN[2] = 2 * g - 1.5 * g * g;
+  dN[3] = 0.5 * f * f;
+}
+
+inline constexpr BasisInfo cubic_basis{
+    "cubic", "Cubic B-spline", "Smoothest; four nodes an axis, about twice the cost of quadratic in 3D.", 4, true,
+    cubic_weights};
+
+}  // namespace pf

@@ -1,0 +1,26 @@
+// Quadratic B-spline: N = 3/4 - r^2 for |r| < 1/2, (3/2 - |r|)^2 / 2 up to 3/2 (THEORY T2). Class C^1.
+#pragma once
+
+#include <cmath>
+
+#include "core/bases/basis.hpp"
+
+namespace pf {
+
+inline void quadratic_weights(double s, long long& base, double* N, double* dN) {
+  const double floor = std::floor(s - 0.5);
+  base = static_cast<long long>(floor);
+  const double r = s - floor - 1;  // of the middle node, in [-1/2, 1/2)
+  N[0] = 0.5 * (0.5 - r) * (0.5 - r);
+  N[1] = 0.75 - r * r;
+  N[2] = 0.5 * (0.5 + r) * (0.5 + r);
+  dN[0] = r - 0.5;
+  dN[1] = -2 * r;
+  dN[2] = r + 0.5;
+}
+
+inline constexpr BasisInfo quadratic_basis{
+    "quadratic", "Quadratic B-spline", "Smooth forces across cell faces; the default. Steffen et al. 2008.", 3, true,
+    quadratic_weights};
+
+}  // namespace pf

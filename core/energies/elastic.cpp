@@ -1,0 +1,318 @@
+#include "core/energies/elastic.hpp"
+
+#include <cmath>
+
+#include "core/grid/stencil.hpp"
+
+namespace pf {
+
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// Position of (row, column), row <= column, in the packed upper triangle of an n x n matrix.
+template <int N>
+constexpr int packed(int row, int column) {
+  return row * N - row * (row - 1) / 2 + (column - row);
+}
+
+/// Gradients of the cell's node (ix, iy, iz), a lane a particle.
+template <int D, int K>
+inline void node_gradient(const Wide<lane_count<D>>* w, int n, Wide<lane_count<D>>* grad) {
+  const int ix = n % K, iy = n / K % K;
+  if constexpr (D == 2) {
+    grad[0] = w[D * K + ix] * w[K + iy];
+    grad[1] = w[ix] * w[D * K + K + iy];
+  } else {
+    const int iz = n / (K * K);
+    grad[0] = w[D * K + ix] * w[K + iy] * w[2 * K + iz];
+    grad[1] = w[ix] * w[D * K + K + iy] * w[2 * K + iz];
+    grad[2] = w[ix] * w[K + iy] * w[D * K + 2 * K + iz];
+  }
+}
+
+}  // namespace
+
+template <int D>
+void ElasticEnergy<D>::deform(const Block<D>& block, const Vector& u) {
+  with_nodes_per_axis(plan_, [&](auto k) {
+    constexpr int K = k;
+    using S = Stencil<D, K, D>;
+    double local[S::nodes * D];
+    load_block<D, K, D>(plan_, block, u.data(), local);
+    for (int i = block.batch_begin; i < block.batch_end; ++i) {
+      const Batch& batch = plan_.batches()[at(i)];
+      const Wide<W>* w = plan_.weights(i);
+      Wide<W> gradient[D][D];
+      S::template gather<false, true>(local + batch.node * D, w, w + D * K, nullptr, gradient);
+      for (int lane = 0; lane < batch.count; ++lane) {
+        Mat<D> F_hat = Mat<D>::Identity();
+        for (int a = 0; a < D; ++a)
+          for (int b = 0; b < D; ++b) F_hat(a, b) += gradient[a][b][lane];
+        F_[at(batch.first + lane)].noalias() = F_hat * particles_.F[at(batch.first + lane)];
+      }
+    }
+  });
+}
+
+template <int D>
+double ElasticEnergy<D>::block_energy(const Block<D>& block) {
+  for (int r = block.run_begin; r < block.run_end; ++r) {
+    const MaterialRun& run = plan_.runs()[at(r)];
+    const std::size_t n = at(run.end - run.begin);
+    laws_[run.material]->energy({F_.data() + run.begin, n}, {psi_.data() + run.begin, n});
+  }
+  double sum = 0;
+  for (int p = block.particle_begin; p < block.particle_end; ++p) sum += particles_.volume0[at(p)] * psi_[at(p)];
+  return sum;
+}
+
+template <int D>
+double ElasticEnergy<D>::ordered_sum() const {
+  double sum = 0;
+  for (const double s : block_sum_) sum += s;
+  return sum;
+}
+
+template <int D>
+double ElasticEnergy<D>::value(const Vector& u) {
+  F_.resize(particles_.size());
+  psi_.resize(particles_.size());
+  block_sum_.resize(plan_.blocks().size());
+  for_each_block(plan_, parallel_, [&](const Block<D>& block, int b) {
+    deform(block, u);
+    block_sum_[at(b)] = block_energy(block);
+  });
+  work_.energy += particles_.size();
+  return ordered_sum();
+}
+
+template <int D>
+double ElasticEnergy<D>::gradient(const Vector& u, Vector& g, Vector& magnitude) {
+  F_.resize(particles_.size());
+  psi_.resize(particles_.size());
+  P_.resize(particles_.size());
+  block_sum_.resize(plan_.blocks().size());
+  for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int b) {
+    deform(block, u);
+    for (int r = block.run_begin; r < block.run_end; ++r) {
+      const MaterialRun& run = plan_.runs()[at(r)];
+      const std::size_t n = at(run.end - run.begin);
+      laws_[run.material]->stress({F_.data() + run.begin, n}, {psi_.data() + run.begin, n}, {P_.data() + run.begin, n});
+    }
+    double sum = 0;
+    for (int p = block.particle_begin; p < block.particle_end; ++p) sum += particles_.volume0[at(p)] * psi_[at(p)];
+    block_sum_[at(b)] = sum;
+    with_nodes_per_axis(plan_, [&](auto k) {
+      constexpr int K = k;
+      using S = Stencil<D, K, D>;
+      double local[S::nodes * D] = {};
+      double local_size[S::nodes] = {};
+      for (int i = block.batch_begin; i < block.batch_end; ++i) {
+        const Batch& batch = plan_.batches()[at(i)];
+        const Wide<W>* w = plan_.weights(i);
+        Wide<W> flux[D][D] = {};
+        for (int lane = 0; lane < batch.count; ++lane) {
+          const std::size_t p = at(batch.first + lane);
+          const Mat<D> T = particles_.volume0[p] * P_[p] * particles_.F[p].transpose();
+          for (int a = 0; a < D; ++a)
+            for (int c = 0; c < D; ++c) flux[a][c][lane] = T(a, c);
+        }
+        S::template scatter<false, true>(nullptr, flux, w, w + D * K, local + batch.node * D);
+        // s_i: the sizes |V P F^nT grad N_i| are not linear, so there is no factorisation over the axes.
+        for (int n = 0; n < (D == 2 ? K * K : K * K * K); ++n) {
+          Wide<W> grad[D];
+          node_gradient<D, K>(w, n, grad);
+          Wide<W> square{};
+          for (int a = 0; a < D; ++a) {
+            Wide<W> f{};
+            for (int c = 0; c < D; ++c) f += flux[a][c] * grad[c];
+            square += f * f;
+          }
+          for (int lane = 0; lane < W; ++lane) square[lane] = std::sqrt(square[lane]);
+          local_size[batch.node + n % K + S::edge * (n / K % K + S::edge * (n / (K * K)))] += sum_lanes(square);
+        }
+      }
+      add_block<D, K, D>(plan_, block, local, g.data());
+      add_block<D, K, 1>(plan_, block, local_size, magnitude.data());
+    });
+  });
+  work_.gradient += particles_.size();
+  return ordered_sum();
+}
+
+template <int D>
+void ElasticEnergy<D>::block_tangents(const Block<D>& block, bool project) {
+  constexpr int n2 = D * D;
+  Tangent<D> dP[128];
+  int batch = block.batch_begin;
+  for (int r = block.run_begin; r < block.run_end; ++r) {
+    const MaterialRun& run = plan_.runs()[at(r)];
+    const std::size_t n = at(run.end - run.begin);
+    laws_[run.material]->tangent({F_.data() + run.begin, n}, project, {dP, n});
+    for (int p = run.begin; p < run.end; ++p) {
+      while (p >= plan_.batches()[at(batch)].first + plan_.batches()[at(batch)].count) ++batch;
+      const int lane = p - plan_.batches()[at(batch)].first;
+      // With respect to F^: dP_aB/dF_cD F^n_bB F^n_dD, that is (F^n (x) I) dP (F^n (x) I)^T in D x D pieces.
+      const Mat<D>& Fn = particles_.F[at(p)];
+      const Tangent<D>& A = dP[p - run.begin];
+      Tangent<D> half;
+      for (int d = 0; d < D; ++d) {
+        half.template middleCols<D>(d * D).noalias() = A.template middleCols<D>(0) * Fn(d, 0);
+        for (int c = 1; c < D; ++c) half.template middleCols<D>(d * D).noalias() += A.template middleCols<D>(c * D) * Fn(d, c);
+      }
+      Wide<W>* out = tangent_.data() + at(batch) * components;
+      for (int b = 0; b < D; ++b) {
+        Eigen::Matrix<double, D, n2> rows = half.template middleRows<D>(0) * Fn(b, 0);
+        for (int c = 1; c < D; ++c) rows.noalias() += half.template middleRows<D>(c * D) * Fn(b, c);
+        for (int a = 0; a < D; ++a) {
+          const int row = a + D * b;
+          for (int column = row; column < n2; ++column)
+            out[packed<n2>(row, column)][lane] = particles_.volume0[at(p)] * rows(a, column);
+        }
+      }
+    }
+  }
+}
+
+template <int D>
+void ElasticEnergy<D>::prepare_hessian(const Vector&, bool project) {
+  tangent_.resize(plan_.batches().size() * components);
+  for_each_block(plan_, parallel_, [&](const Block<D>& block, int) {
+    std::fill(tangent_.begin() + block.batch_begin * components, tangent_.begin() + block.batch_end * components,
+              Wide<W>{});
+    block_tangents(block, project);
+  });
+  work_.tangent += particles_.size();
+}
+
+template <int D>
+void ElasticEnergy<D>::hessian_product(const Vector& p, Vector& Hp) {
+  constexpr int n2 = D * D;
+  with_nodes_per_axis(plan_, [&](auto k) {
+    constexpr int K = k;
+    using S = Stencil<D, K, D>;
+    for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int) {
+      double local[S::nodes * D], result[S::nodes * D] = {};
+      load_block<D, K, D>(plan_, block, p.data(), local);
+      for (int i = block.batch_begin; i < block.batch_end; ++i) {
+        const Batch& batch = plan_.batches()[at(i)];
+        const Wide<W>* w = plan_.weights(i);
+        const Wide<W>* A = tangent_.data() + at(i) * components;
+        Wide<W> gradient[D][D];
+        S::template gather<false, true>(local + batch.node * D, w, w + D * K, nullptr, gradient);
+        Wide<W> flux[D][D];
+        for (int row = 0; row < n2; ++row) {
+          Wide<W> sum{};
+          for (int column = 0; column < n2; ++column)
+            sum += A[packed<n2>(row < column ? row : column, row < column ? column : row)] * gradient[column % D][column / D];
+          flux[row % D][row / D] = sum;
+        }
+        S::template scatter<false, true>(nullptr, flux, w, w + D * K, result + batch.node * D);
+      }
+      add_block<D, K, D>(plan_, block, result, Hp.data());
+    });
+  });
+  work_.hessian_product += particles_.size();
+}
+
+namespace {
+
+/// T[a][c][b] = sum_d A_{ab,cd} grad_d: half of the contraction of a tangent with two gradients.
+template <int D>
+inline void contract(const Wide<lane_count<D>>* A, const Wide<lane_count<D>>* grad, Wide<lane_count<D>> (*T)[D][D]) {
+  constexpr int n2 = D * D;
+  for (int a = 0; a < D; ++a)
+    for (int c = 0; c < D; ++c)
+      for (int b = 0; b < D; ++b) {
+        Wide<lane_count<D>> sum{};
+        for (int d = 0; d < D; ++d) {
+          const int row = a + D * b, column = c + D * d;
+          sum += A[packed<n2>(row < column ? row : column, row < column ? column : row)] * grad[d];
+        }
+        T[a][c][b] = sum;
+      }
+}
+
+}  // namespace
+
+template <int D>
+void ElasticEnergy<D>::diagonal(std::vector<Mat<D>>& blocks) {
+  constexpr int symmetric = D * (D + 1) / 2;
+  with_nodes_per_axis(plan_, [&](auto k) {
+    constexpr int K = k;
+    using S = Stencil<D, K, 1>;
+    for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int) {
+      double local[S::nodes * symmetric] = {};
+      for (int i = block.batch_begin; i < block.batch_end; ++i) {
+        const Batch& batch = plan_.batches()[at(i)];
+        const Wide<W>* w = plan_.weights(i);
+        const Wide<W>* A = tangent_.data() + at(i) * components;
+        for (int n = 0; n < (D == 2 ? K * K : K * K * K); ++n) {
+          Wide<W> grad[D], T[D][D][D];
+          node_gradient<D, K>(w, n, grad);
+          contract<D>(A, grad, T);
+          double* out = local + (batch.node + n % K + S::edge * (n / K % K + S::edge * (n / (K * K)))) * symmetric;
+          int m = 0;
+          for (int a = 0; a < D; ++a)
+            for (int c = a; c < D; ++c) {
+              Wide<W> sum{};
+              for (int b = 0; b < D; ++b) sum += T[a][c][b] * grad[b];
+              out[m++] += sum_lanes(sum);
+            }
+        }
+      }
+      const std::int32_t* table = plan_.node_table(block);
+      for (int n = 0; n < S::nodes; ++n) {
+        if (table[n] < 0) continue;
+        Mat<D>& H = blocks[at(table[n])];
+        int m = n * symmetric;
+        for (int a = 0; a < D; ++a)
+          for (int c = a; c < D; ++c, ++m) {
+            H(a, c) += local[m];
+            if (a != c) H(c, a) += local[m];
+          }
+      }
+    });
+  });
+  work_.assembly += particles_.size();
+}
+
+template <int D>
+void ElasticEnergy<D>::assemble(BlockMatrix<D>& H) {
+  with_nodes_per_axis(plan_, [&](auto k) {
+    constexpr int K = k, count = D == 2 ? K * K : K * K * K;
+    constexpr int edge = Stencil<D, K, 1>::edge;
+    for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int) {
+      const std::int32_t* table = plan_.node_table(block);
+      for (int i = block.batch_begin; i < block.batch_end; ++i) {
+        const Batch& batch = plan_.batches()[at(i)];
+        const Wide<W>* A = tangent_.data() + at(i) * components;
+        Wide<W> grad[count][D];
+        for (int n = 0; n < count; ++n) node_gradient<D, K>(plan_.weights(i), n, grad[n]);
+        for (int n = 0; n < count; ++n) {
+          Wide<W> T[D][D][D];
+          contract<D>(A, grad[n], T);
+          const std::int32_t column = table[batch.node + n % K + edge * (n / K % K + edge * (n / (K * K)))];
+          for (int m = 0; m < count; ++m) {
+            const std::int32_t row = table[batch.node + m % K + edge * (m / K % K + edge * (m / (K * K)))];
+            if (row < column) continue;
+            Mat<D>& h = H.at(row, column);
+            for (int a = 0; a < D; ++a)
+              for (int c = 0; c < D; ++c) {
+                Wide<W> sum{};
+                for (int b = 0; b < D; ++b) sum += T[a][c][b] * grad[m][b];
+                h(a, c) += sum_lanes(sum);
+              }
+          }
+        }
+      }
+    });
+  });
+  work_.assembly += particles_.size();
+}
+
+template class ElasticEnergy<2>;
+template class ElasticEnergy<3>;
+
+}  // namespace pf

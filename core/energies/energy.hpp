@@ -1,0 +1,32 @@
+// A term of the incremental potential E (THEORY T4) as a function of the node displacements u = x^ - x.
+#pragma once
+
+#include <vector>
+
+#include "core/math/block_matrix.hpp"
+#include "core/types.hpp"
+
+namespace pf {
+
+/// Vectors hold D components a node, node-major. All additions: the terms of a potential share their outputs.
+template <int D>
+class Energy {
+ public:
+  virtual ~Energy() = default;
+  /// E(u) [J]; +infinity where the term does not allow u (J <= 0 under a barrier).
+  virtual double value(const Vector& u) = 0;
+  /// E(u), and g += dE/du. `magnitude`, one entry a node, += the sum of the sizes of what was added up in g (THEORY T4,
+  /// s_i): zero for terms whose scale is known elsewhere.
+  virtual double gradient(const Vector& u, Vector& g, Vector& magnitude) = 0;
+  /// Fixes d2E/du2 at u for the calls below; with `project`, a positive semi-definite substitute. gradient(u) was the last
+  /// evaluation before it.
+  virtual void prepare_hessian(const Vector& u, bool project) = 0;
+  /// Hp += d2E/du2 p.
+  virtual void hessian_product(const Vector& p, Vector& Hp) = 0;
+  /// The D x D diagonal blocks, one a node, are added to `blocks`.
+  virtual void diagonal(std::vector<Mat<D>>& blocks) = 0;
+  /// All of d2E/du2 is added to H, whose pattern holds every pair of nodes that share a cell.
+  virtual void assemble(BlockMatrix<D>& H) = 0;
+};
+
+}  // namespace pf

@@ -1,0 +1,158 @@
+#include "core/grid/mass.hpp"
+
+#include <cmath>
+
+#include "core/grid/stencil.hpp"
+#include "core/math/vector_ops.hpp"
+
+namespace pf {
+
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// The batch's masses, a lane a particle; 0 beyond count.
+template <int D>
+Wide<lane_count<D>> masses(const Particles<D>& particles, const Batch& batch) {
+  Wide<lane_count<D>> m{};
+  for (int lane = 0; lane < batch.count; ++lane) m[lane] = particles.mass[at(batch.first + lane)];
+  return m;
+}
+
+/// N_i of the cell's node n.
+template <int D, int K>
+Wide<lane_count<D>> node_value(const Wide<lane_count<D>>* w, int n) {
+  Wide<lane_count<D>> N = w[n % K] * w[K + n / K % K];
+  if constexpr (D == 3) N *= w[2 * K + n / (K * K)];
+  return N;
+}
+
+}  // namespace
+
+template <int D>
+MassMatrix<D>::MassMatrix(const Plan<D>& plan, const Particles<D>& particles, const Vector& lumped, bool consistent,
+                          Parallel& parallel, Work& work)
+    : plan_(plan), particles_(particles), lumped_(lumped), consistent_(consistent), parallel_(parallel), work_(work) {
+  if (consistent_) compute_diagonal();
+}
+
+template <int D>
+void MassMatrix<D>::compute_diagonal() {
+  diagonal_ = Vector::Zero(plan_.node_count());
+  with_nodes_per_axis(plan_, [&](auto k) {
+    constexpr int K = k;
+    using S = Stencil<D, K, 1>;
+    for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int) {
+      double local[S::nodes] = {};
+      for (int i = block.batch_begin; i < block.batch_end; ++i) {
+        const Batch& batch = plan_.batches()[at(i)];
+        const Wide<lane_count<D>>* w = plan_.weights(i);
+        Wide<lane_count<D>> squares[D * K];
+        for (int r = 0; r < D * K; ++r) squares[r] = w[r] * w[r];
+        const Wide<lane_count<D>> m = masses(particles_, batch);
+        S::template scatter<true, false>(&m, nullptr, squares, squares, local + batch.node);
+      }
+      add_block<D, K, 1>(plan_, block, local, diagonal_.data());
+    });
+  });
+}
+
+template <int D>
+void MassMatrix<D>::multiply(const Vector& v, Vector& out) const {
+  out.resize(v.size());
+  if (!consistent_) {
+    for (Eigen::Index i = 0; i < lumped_.size(); ++i) out.segment<D>(i * D) = lumped_[i] * v.segment<D>(i * D);
+    return;
+  }
+  out.setZero();
+  with_nodes_per_axis(plan_, [&](auto k) {
+    constexpr int K = k;
+    using S = Stencil<D, K, D>;
+    for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int) {
+      double local[S::nodes * D], result[S::nodes * D] = {};
+      load_block<D, K, D>(plan_, block, v.data(), local);
+      for (int i = block.batch_begin; i < block.batch_end; ++i) {
+        const Batch& batch = plan_.batches()[at(i)];
+        const Wide<lane_count<D>>* w = plan_.weights(i);
+        Wide<lane_count<D>> value[D];
+        S::template gather<true, false>(local + batch.node * D, w, w + D * K, value, nullptr);
+        const Wide<lane_count<D>> m = masses(particles_, batch);
+        for (int a = 0; a < D; ++a) value[a] *= m;
+        S::template scatter<true, false>(value, nullptr, w, w + D * K, result + batch.node * D);
+      }
+      add_block<D, K, D>(plan_, block, result, out.data());
+    });
+  });
+  work_.hessian_product += particles_.size();
+}
+
+template <int D>
+double MassMatrix<D>::dot(const Vector& a, const Vector& b) const {
+  return pf::dot(parallel_, a, b);
+}
+
+template <int D>
+int MassMatrix<D>::solve(const Vector& b, Vector& v, double& residual) const {
+  constexpr double tolerance = 1e-13;
+  constexpr int most = 1000;
+  Vector scale(b.size());
+  const double smallest = 1e-14 * diagonal().maxCoeff();
+  for (Eigen::Index i = 0; i < diagonal().size(); ++i)
+    scale.segment<D>(i * D).setConstant(diagonal()[i] > smallest ? 1 / diagonal()[i] : 0);
+  Vector r, Mp, z, p;
+  multiply(v, r);
+  r = b - r;
+  z = scale.cwiseProduct(r);
+  p = z;
+  double rz = dot(r, z);
+  const double start = std::max(std::sqrt(dot(b, scale.cwiseProduct(b))), 1e-300);
+  int iteration = 0;
+  for (; iteration < most && std::sqrt(rz) > tolerance * start; ++iteration) {
+    multiply(p, Mp);
+    const double pMp = dot(p, Mp);
+    if (!(pMp > 0)) break;
+    const double alpha = rz / pMp;
+    v += alpha * p;
+    r -= alpha * Mp;
+    z = scale.cwiseProduct(r);
+    const double next = dot(r, z);
+    p = z + (next / rz) * p;
+    rz = next;
+  }
+  residual = std::sqrt(rz) / start;
+  return iteration;
+}
+
+template <int D>
+void MassMatrix<D>::assemble(double factor, BlockMatrix<D>& H) const {
+  if (!consistent_) {
+    for (int i = 0; i < H.rows(); ++i) H.at(i, i).diagonal().array() += factor * lumped_[i];
+    return;
+  }
+  with_nodes_per_axis(plan_, [&](auto k) {
+    constexpr int K = k, count = D == 2 ? K * K : K * K * K;
+    constexpr int edge = Stencil<D, K, 1>::edge;
+    for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int) {
+      const std::int32_t* table = plan_.node_table(block);
+      for (int i = block.batch_begin; i < block.batch_end; ++i) {
+        const Batch& batch = plan_.batches()[at(i)];
+        const Wide<lane_count<D>> m = masses(particles_, batch);
+        std::int32_t node[count];
+        Wide<lane_count<D>> N[count];
+        for (int n = 0; n < count; ++n) {
+          node[n] = table[batch.node + n % K + edge * (n / K % K + edge * (n / (K * K)))];
+          N[n] = node_value<D, K>(plan_.weights(i), n);
+        }
+        for (int r = 0; r < count; ++r)
+          for (int c = 0; c < count; ++c)
+            if (node[r] >= node[c])
+              H.at(node[r], node[c]).diagonal().array() += factor * sum_lanes(Wide<lane_count<D>>(m * N[r] * N[c]));
+      }
+    });
+  });
+}
+
+template class MassMatrix<2>;
+template class MassMatrix<3>;
+
+}  // namespace pf

@@ -1,0 +1,47 @@
+// The mass matrix of the grid (THEORY T3): lumped m_i = sum_p m_p N_i, or consistent M_ij = sum_p m_p N_i N_j, applied
+// through the particles and never stored.
+#pragma once
+
+#include "core/grid/plan.hpp"
+#include "core/math/block_matrix.hpp"
+#include "core/step_report.hpp"
+
+namespace pf {
+
+template <int D>
+class MassMatrix {
+ public:
+  /// `lumped`: m_i, one a node. All are referred to.
+  MassMatrix(const Plan<D>& plan, const Particles<D>& particles, const Vector& lumped, bool consistent, Parallel& parallel,
+             Work& work);
+
+  bool consistent() const { return consistent_; }
+  const Vector& lumped() const { return lumped_; }
+  /// The diagonal, one entry a node: m_i or M_ii.
+  const Vector& diagonal() const { return consistent_ ? diagonal_ : lumped_; }
+  /// out = M v, D components a node.
+  void multiply(const Vector& v, Vector& out) const;
+  /// M v = b by conjugate gradients scaled by the diagonal, from v = v0. M may be singular (fewer particles than nodes) or
+  /// nearly so (slivers at the body's edge); b = sum m_p v_p N_i lies in its range, so the iteration converges, and
+  /// what M does not see keeps the start v0. Returns the iterations; `residual` is relative, scaled.
+  int solve(const Vector& b, Vector& v, double& residual) const;
+  /// H += factor M.
+  void assemble(double factor, BlockMatrix<D>& H) const;
+  double dot(const Vector& a, const Vector& b) const;
+
+ private:
+  void compute_diagonal();
+
+  const Plan<D>& plan_;
+  const Particles<D>& particles_;
+  const Vector& lumped_;
+  bool consistent_;
+  Parallel& parallel_;
+  Work& work_;
+  Vector diagonal_;
+};
+
+extern template class MassMatrix<2>;
+extern template class MassMatrix<3>;
+
+}  // namespace pf

@@ -1,0 +1,359 @@
+#include "core/grid/plan.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace pf {
+
+namespace {
+
+constexpr int edge_bits = 2;  // block_edge == 4
+static_assert(block_edge == 1 << edge_bits);
+
+/// Bits that hold any value in [0, n].
+int bits_for(std::uint64_t n) { return std::max(1, static_cast<int>(std::bit_width(n))); }
+
+}  // namespace
+
+/// The sort key packs, from the top: block (z, y, x), cell in the block (z, y, x), material.
+template <int D>
+struct Plan<D>::Keys {
+  std::array<long long, D> origin{};  ///< lattice coordinate of block (0, 0, 0), a multiple of block_edge
+  std::array<int, D> block_bits{};
+  int material_bits = 0;
+  int total_bits = 0;
+
+  std::uint64_t pack(const std::array<long long, D>& base, std::uint16_t material) const {
+    std::uint64_t block = 0, cell = 0;
+    for (int a = D - 1; a >= 0; --a) {
+      const auto r = static_cast<std::uint64_t>(base[static_cast<std::size_t>(a)] - origin[static_cast<std::size_t>(a)]);
+      block = block << block_bits[static_cast<std::size_t>(a)] | r >> edge_bits;
+      cell = cell << edge_bits | (r & (block_edge - 1));
+    }
+    return ((block << (D * edge_bits) | cell) << material_bits) | material;
+  }
+  std::uint64_t block_of(std::uint64_t key) const { return key >> (material_bits + D * edge_bits); }
+  std::uint64_t cell_of(std::uint64_t key) const { return (key >> material_bits) & ((1u << (D * edge_bits)) - 1); }
+  std::array<long long, D> corner(std::uint64_t block) const {
+    std::array<long long, D> c{};
+    for (std::size_t a = 0; a < D; ++a) {
+      c[a] = origin[a] + (static_cast<long long>(block & ((1ull << block_bits[a]) - 1)) << edge_bits);
+      block >>= block_bits[a];
+    }
+    return c;
+  }
+};
+
+template <int D>
+bool Plan<D>::make_keys(const Particles<D>& particles, Keys& keys) const {
+  const double inverse = 1 / spacing_;
+  std::array<double, D> low{}, high{};
+  low.fill(std::numeric_limits<double>::infinity());
+  high.fill(-std::numeric_limits<double>::infinity());
+  for (const Vec<D>& x : particles.x)
+    for (int a = 0; a < D; ++a) {
+      const auto k = static_cast<std::size_t>(a);
+      if (!std::isfinite(x[a])) return false;
+      low[k] = std::min(low[k], x[a]);
+      high[k] = std::max(high[k], x[a]);
+    }
+  int bits = D * edge_bits;
+  double N[max_nodes_per_axis], dN[max_nodes_per_axis];
+  for (std::size_t a = 0; a < D; ++a) {
+    if (std::max(std::abs(low[a]), std::abs(high[a])) * inverse > 1e15) return false;
+    long long first = 0, last = 0;
+    basis_->weights(low[a] * inverse, first, N, dN);
+    basis_->weights(high[a] * inverse, last, N, dN);
+    keys.origin[a] = first & ~static_cast<long long>(block_edge - 1);
+    keys.block_bits[a] = bits_for(static_cast<std::uint64_t>(last - keys.origin[a]) >> edge_bits);
+    bits += keys.block_bits[a];
+  }
+  std::uint16_t materials = 0;
+  for (const std::uint16_t m : particles.material) materials = std::max(materials, m);
+  keys.material_bits = materials == 0 ? 0 : bits_for(materials);
+  keys.total_bits = bits + keys.material_bits;
+  return keys.total_bits < 64;
+}
+
+namespace {
+
+/// Stable sort of (key, order) by the low `bits` of key: least significant digit first.
+void radix_sort(std::vector<std::uint64_t>& key, std::vector<std::uint32_t>& order,
+                std::vector<std::uint64_t>& key_scratch, std::vector<std::uint32_t>& order_scratch, int bits) {
+  constexpr int digit = 11;
+  const std::size_t n = key.size();
+  key_scratch.resize(n);
+  order_scratch.resize(n);
+  for (int shift = 0; shift < bits; shift += digit) {
+    std::array<std::uint32_t, (1u << digit) + 1> start{};
+    for (const std::uint64_t k : key) ++start[((k >> shift) & ((1u << digit) - 1)) + 1];
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::uint32_t to = start[(key[i] >> shift) & ((1u << digit) - 1)]++;
+      key_scratch[to] = key[i];
+      order_scratch[to] = order[i];
+    }
+    key.swap(key_scratch);
+    order.swap(order_scratch);
+  }
+}
+
+template <class T>
+void permute(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
+  std::vector<T> sorted(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) sorted[i] = values[order[i]];
+  values.swap(sorted);
+}
+
+}  // namespace
+
+template <int D>
+void Plan<D>::sort(Particles<D>& particles, Keys& keys) {
+  const std::size_t n = particles.size();
+  const double inverse = 1 / spacing_;
+  key_.resize(n);
+  order_.resize(n);
+  double N[max_nodes_per_axis], dN[max_nodes_per_axis];
+  for (std::size_t p = 0; p < n; ++p) {
+    std::array<long long, D> base{};
+    for (int a = 0; a < D; ++a)
+      basis_->weights(particles.x[p][a] * inverse, base[static_cast<std::size_t>(a)], N, dN);
+    key_[p] = keys.pack(base, particles.material[p]);
+    order_[p] = static_cast<std::uint32_t>(p);
+  }
+  if (std::is_sorted(key_.begin(), key_.end())) return;
+  radix_sort(key_, order_, key_scratch_, order_scratch_, keys.total_bits);
+  particles.each([&](auto& values) { permute(values, order_); });
+}
+
+template <int D>
+void Plan<D>::make_blocks(const Particles<D>& particles, const Keys& keys) {
+  const int edge_nodes = block_edge + nodes_per_axis() - 1;
+  blocks_.clear();
+  batches_.clear();
+  runs_.clear();
+  for (auto& list : colours_) list.clear();
+  const auto n = static_cast<std::int32_t>(particles.size());
+  constexpr std::int32_t longest_run = 128;
+  for (std::int32_t begin = 0; begin < n;) {
+    const std::uint64_t block_key = keys.block_of(key_[static_cast<std::size_t>(begin)]);
+    Block<D> block{};
+    block.corner = keys.corner(block_key);
+    block.particle_begin = begin;
+    block.batch_begin = static_cast<std::int32_t>(batches_.size());
+    block.run_begin = static_cast<std::int32_t>(runs_.size());
+    std::int32_t p = begin;
+    while (p < n && keys.block_of(key_[static_cast<std::size_t>(p)]) == block_key) {
+      const std::uint64_t cell = keys.cell_of(key_[static_cast<std::size_t>(p)]);
+      Batch batch{p, 0, 0};
+      for (int a = D - 1; a >= 0; --a)
+        batch.node = static_cast<std::int16_t>(batch.node * edge_nodes +
+                                               static_cast<int>(cell >> (a * edge_bits) & (block_edge - 1)));
+      while (p < n && batch.count < W && keys.block_of(key_[static_cast<std::size_t>(p)]) == block_key &&
+             keys.cell_of(key_[static_cast<std::size_t>(p)]) == cell) {
+        const std::uint16_t material = particles.material[static_cast<std::size_t>(p)];
+        if (static_cast<std::int32_t>(runs_.size()) == block.run_begin || runs_.back().material != material ||
+            p - runs_.back().begin >= longest_run)
+          runs_.push_back({p, p, material});
+        runs_.back().end = ++p;
+        ++batch.count;
+      }
+      batches_.push_back(batch);
+    }
+    block.particle_end = begin = p;
+    block.batch_end = static_cast<std::int32_t>(batches_.size());
+    block.run_end = static_cast<std::int32_t>(runs_.size());
+    int colour = 0;
+    for (std::size_t a = 0; a < D; ++a) colour |= static_cast<int>(block.corner[a] >> edge_bits & 1) << a;
+    colours_[static_cast<std::size_t>(colour)].push_back(static_cast<int>(blocks_.size()));
+    blocks_.push_back(block);
+  }
+}
+
+namespace {
+
+template <int D>
+bool lexicographic(const std::array<long long, D>& a, const std::array<long long, D>& b) {
+  for (int k = D - 1; k >= 0; --k)
+    if (a[static_cast<std::size_t>(k)] != b[static_cast<std::size_t>(k)])
+      return a[static_cast<std::size_t>(k)] < b[static_cast<std::size_t>(k)];
+  return false;
+}
+
+/// The node blocks that the blocks touch, sorted.
+template <int D>
+std::vector<NodeBlock<D>> node_blocks_of(const std::vector<Block<D>>& blocks) {
+  std::vector<NodeBlock<D>> result;
+  result.reserve(blocks.size() << D);
+  for (const Block<D>& block : blocks)
+    for (int o = 0; o < 1 << D; ++o) {
+      NodeBlock<D> nb{block.corner};
+      for (std::size_t a = 0; a < D; ++a) nb.corner[a] += (o >> a & 1) * block_edge;
+      result.push_back(nb);
+    }
+  const auto less = [](const NodeBlock<D>& a, const NodeBlock<D>& b) { return lexicographic<D>(a.corner, b.corner); };
+  std::sort(result.begin(), result.end(), less);
+  result.erase(std::unique(result.begin(), result.end(),
+                           [](const NodeBlock<D>& a, const NodeBlock<D>& b) { return a.corner == b.corner; }),
+               result.end());
+  return result;
+}
+
+/// Where a block's 2^D node blocks stand in the sorted list.
+template <int D>
+std::array<int, 1 << D> neighbours(const std::vector<NodeBlock<D>>& node_blocks, const Block<D>& block) {
+  std::array<int, 1 << D> found{};
+  for (int o = 0; o < 1 << D; ++o) {
+    std::array<long long, D> corner = block.corner;
+    for (std::size_t a = 0; a < D; ++a) corner[a] += (o >> a & 1) * block_edge;
+    const auto at = std::lower_bound(node_blocks.begin(), node_blocks.end(), corner,
+                                     [](const NodeBlock<D>& nb, const std::array<long long, D>& c) {
+                                       return lexicographic<D>(nb.corner, c);
+                                     });
+    found[static_cast<std::size_t>(o)] = static_cast<int>(at - node_blocks.begin());
+  }
+  return found;
+}
+
+/// Splits a node of a block's lattice into node block (of the 2^D) and slot in it (of the 4^D).
+template <int D>
+std::pair<int, int> split(int node, int edge_nodes) {
+  int which = 0, slot = 0;
+  for (int a = 0; a < D; ++a) {
+    const int k = node % edge_nodes;
+    node /= edge_nodes;
+    which |= (k >> edge_bits) << a;
+    slot |= (k & (block_edge - 1)) << (a * edge_bits);
+  }
+  return {which, slot};
+}
+
+}  // namespace
+
+template <int D>
+void Plan<D>::number_nodes() {
+  const int K = nodes_per_axis(), edge_nodes = block_edge + K - 1;
+  const int table_size = D == 2 ? edge_nodes * edge_nodes : edge_nodes * edge_nodes * edge_nodes;
+  std::vector<NodeBlock<D>>& node_blocks = node_blocks_ = node_blocks_of(blocks_);
+  node_of_.assign(blocks_.size() * static_cast<std::size_t>(table_size), -1);
+  std::vector<std::array<int, 1 << D>> around(blocks_.size());
+  // Mark.
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    Block<D>& block = blocks_[b];
+    block.nodes = static_cast<std::int32_t>(b * static_cast<std::size_t>(table_size));
+    around[b] = neighbours(node_blocks, block);
+    std::int32_t* table = node_of_.data() + block.nodes;
+    int previous = -1;
+    for (int i = block.batch_begin; i < block.batch_end; ++i) {
+      const int base = batches_[static_cast<std::size_t>(i)].node;
+      if (base == previous) continue;
+      previous = base;
+      for (int z = 0; z < (D == 3 ? K : 1); ++z)
+        for (int y = 0; y < K; ++y)
+          for (int x = 0; x < K; ++x) table[base + x + edge_nodes * (y + edge_nodes * z)] = 0;
+    }
+    for (int i = 0; i < table_size; ++i)
+      if (table[i] == 0) {
+        const auto [which, slot] = split<D>(i, edge_nodes);
+        node_blocks[static_cast<std::size_t>(around[b][static_cast<std::size_t>(which)])].active |= 1ull << slot;
+      }
+  }
+  // Number, in the order of the node blocks.
+  node_count_ = 0;
+  index_.clear();
+  for (NodeBlock<D>& nb : node_blocks) {
+    nb.first = node_count_;
+    for (int slot = 0; slot < 1 << (D * edge_bits); ++slot)
+      if (nb.active >> slot & 1) {
+        std::array<long long, D> at = nb.corner;
+        for (std::size_t a = 0; a < D; ++a) at[a] += slot >> (static_cast<int>(a) * edge_bits) & (block_edge - 1);
+        index_.push_back(at);
+        ++node_count_;
+      }
+  }
+  // Look up.
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    std::int32_t* table = node_of_.data() + blocks_[b].nodes;
+    for (int i = 0; i < table_size; ++i) {
+      if (table[i] < 0) continue;
+      const auto [which, slot] = split<D>(i, edge_nodes);
+      const NodeBlock<D>& nb = node_blocks[static_cast<std::size_t>(around[b][static_cast<std::size_t>(which)])];
+      table[i] = nb.first + std::popcount(nb.active & ((1ull << slot) - 1));
+    }
+  }
+}
+
+template <int D>
+void Plan<D>::compute_weights(const Particles<D>& particles, Parallel& parallel) {
+  const int K = nodes_per_axis();
+  const std::size_t stride = static_cast<std::size_t>(2 * D * K);
+  weights_.resize(batches_.size() * stride);
+  const double inverse = 1 / spacing_;
+  parallel(static_cast<int>(blocks_.size()), [&](int b) {
+    const Block<D>& block = blocks_[static_cast<std::size_t>(b)];
+    for (int i = block.batch_begin; i < block.batch_end; ++i) {
+      const Batch& batch = batches_[static_cast<std::size_t>(i)];
+      Wide<W>* out = weights_.data() + static_cast<std::size_t>(i) * stride;
+      std::fill(out, out + stride, Wide<W>{});
+      for (int lane = 0; lane < batch.count; ++lane)
+        for (int a = 0; a < D; ++a) {
+          double N[max_nodes_per_axis], dN[max_nodes_per_axis];
+          long long base = 0;
+          basis_->weights(particles.x[static_cast<std::size_t>(batch.first + lane)][a] * inverse, base, N, dN);
+          for (int r = 0; r < K; ++r) {
+            out[a * K + r][lane] = N[r];
+            out[(D + a) * K + r][lane] = dN[r] * inverse;
+          }
+        }
+    }
+  });
+}
+
+template <int D>
+bool Plan<D>::build(Particles<D>& particles, const BasisInfo& basis, double spacing, Parallel& parallel) {
+  basis_ = &basis;
+  spacing_ = spacing;
+  Keys keys;
+  if (!make_keys(particles, keys)) return false;
+  sort(particles, keys);
+  make_blocks(particles, keys);
+  number_nodes();
+  compute_weights(particles, parallel);
+  return true;
+}
+
+template <int D>
+bool Plan<D>::can_index(const Particles<D>& particles) const {
+  Keys keys;
+  return make_keys(particles, keys);
+}
+
+template <int D>
+int Plan<D>::find_node(const std::array<long long, D>& index) const {
+  std::array<long long, D> corner = index;
+  int slot = 0;
+  for (std::size_t a = 0; a < D; ++a) {
+    corner[a] &= ~static_cast<long long>(block_edge - 1);
+    slot |= static_cast<int>(index[a] - corner[a]) << (static_cast<int>(a) * edge_bits);
+  }
+  const auto nb = std::lower_bound(
+      node_blocks_.begin(), node_blocks_.end(), corner,
+      [](const NodeBlock<D>& block, const std::array<long long, D>& c) { return lexicographic<D>(block.corner, c); });
+  if (nb == node_blocks_.end() || nb->corner != corner || !(nb->active >> slot & 1)) return -1;
+  return nb->first + std::popcount(nb->active & ((1ull << slot) - 1));
+}
+
+template <int D>
+std::size_t Plan<D>::bytes() const {
+  return weights_.size() * sizeof(Wide<W>) + node_of_.size() * 4 + batches_.size() * sizeof(Batch) +
+         index_.size() * sizeof(index_[0]) + (key_.size() + key_scratch_.size()) * 8 +
+         (order_.size() + order_scratch_.size()) * 4;
+}
+
+template class Plan<2>;
+template class Plan<3>;
+
+}  // namespace pf

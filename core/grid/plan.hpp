@@ -1,0 +1,117 @@
+// The plan of a step: which particle meets which node with which weight. Weights depend on x_p^n only, so the
+// plan is made once a step and serves every transfer, gradient and Hessian product (THEORY T4).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/bases/basis.hpp"
+#include "core/grid/particles.hpp"
+#include "core/grid/wide.hpp"
+#include "core/math/parallel.hpp"
+#include "core/types.hpp"
+
+namespace pf {
+
+/// Cells along each edge of a block.
+inline constexpr int block_edge = 4;
+
+/// Up to lane_count<D> particles of one cell: they share their nodes.
+struct Batch {
+  std::int32_t first;  ///< particle
+  std::int16_t count;
+  std::int16_t node;  ///< the cell's first node in the block's own lattice
+};
+
+/// Consecutive particles of one material, for one call of its law.
+struct MaterialRun {
+  std::int32_t begin, end;
+  std::uint16_t material;
+};
+
+/// 4^D cells and their (4 + K - 1)^D nodes. Blocks of one colour share no node.
+template <int D>
+struct Block {
+  std::array<long long, D> corner;  ///< lattice coordinates of its first node
+  std::int32_t batch_begin, batch_end;
+  std::int32_t run_begin, run_end;
+  std::int32_t particle_begin, particle_end;
+  std::int32_t nodes;  ///< where its table starts in Plan::node_of
+};
+
+/// Which of the 4^D nodes of a block-sized piece of the lattice are active, and the number of the first.
+template <int D>
+struct NodeBlock {
+  std::array<long long, D> corner;
+  std::uint64_t active = 0;
+  std::int32_t first = 0;
+};
+
+template <int D>
+class Plan {
+ public:
+  static constexpr int W = lane_count<D>;
+
+  /// Sorts `particles` by block and cell (their order changes; ids stay), numbers the active nodes and computes the
+  /// weights. False when a position is not finite or the particles are too far apart to be indexed.
+  bool build(Particles<D>& particles, const BasisInfo& basis, double spacing, Parallel& parallel);
+
+  /// Whether build() could index these positions with the basis and spacing of the newest build.
+  bool can_index(const Particles<D>& particles) const;
+
+  int nodes_per_axis() const { return basis_->nodes_per_axis; }
+  const BasisInfo& basis() const { return *basis_; }
+  double spacing() const { return spacing_; }
+  int node_count() const { return node_count_; }
+  const std::array<long long, D>& node_index(int node) const { return index_[static_cast<std::size_t>(node)]; }
+  /// The node's own place x_i [m].
+  Vec<D> node_position(int node) const {
+    Vec<D> x;
+    for (int a = 0; a < D; ++a) x[a] = spacing_ * static_cast<double>(node_index(node)[static_cast<std::size_t>(a)]);
+    return x;
+  }
+
+  const std::vector<Block<D>>& blocks() const { return blocks_; }
+  const std::vector<Batch>& batches() const { return batches_; }
+  const std::vector<MaterialRun>& runs() const { return runs_; }
+  /// Block indices by colour, 2^D lists.
+  const std::array<std::vector<int>, 1 << D>& colours() const { return colours_; }
+  /// Global node of each node of the block's lattice, x fastest; -1 where the node is not active.
+  const std::int32_t* node_table(const Block<D>& block) const { return node_of_.data() + block.nodes; }
+  /// Weights of a batch: for each axis K values N, then for each axis K values dN/dx [1/m]; a lane a particle,
+  /// zero in the lanes beyond count.
+  const Wide<W>* weights(int batch) const {
+    return weights_.data() + static_cast<std::size_t>(batch) * static_cast<std::size_t>(2 * D * nodes_per_axis());
+  }
+  /// The active node at these lattice coordinates, or -1.
+  int find_node(const std::array<long long, D>& index) const;
+  std::size_t bytes() const;
+
+ private:
+  struct Keys;
+  bool make_keys(const Particles<D>& particles, Keys& keys) const;
+  void sort(Particles<D>& particles, Keys& keys);
+  void make_blocks(const Particles<D>& particles, const Keys& keys);
+  void number_nodes();
+  void compute_weights(const Particles<D>& particles, Parallel& parallel);
+
+  const BasisInfo* basis_ = nullptr;
+  double spacing_ = 0;
+  int node_count_ = 0;
+  std::vector<std::array<long long, D>> index_;
+  std::vector<NodeBlock<D>> node_blocks_;  ///< sorted by corner
+  std::vector<Block<D>> blocks_;
+  std::vector<Batch> batches_;
+  std::vector<MaterialRun> runs_;
+  std::array<std::vector<int>, 1 << D> colours_;
+  std::vector<std::int32_t> node_of_;
+  std::vector<Wide<W>> weights_;
+  std::vector<std::uint64_t> key_, key_scratch_;
+  std::vector<std::uint32_t> order_, order_scratch_;
+};
+
+extern template class Plan<2>;
+extern template class Plan<3>;
+
+}  // namespace pf

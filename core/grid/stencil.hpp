@@ -1,0 +1,147 @@
+// Gather and scatter between a block's nodes and a batch of particles, one axis after the other (sum factorisation):
+// 3D quadratic takes 27 + 9 + 3 weighted sums a component instead of 4 * 27.
+#pragma once
+
+#include "core/grid/plan.hpp"
+#include "core/grid/wide.hpp"
+
+namespace pf {
+
+/// D dimensions, K nodes an axis, C components a node. `u` and `out` point at the cell's first node in a block-local
+/// lattice of edge block_edge + K - 1, components interleaved. `N`, `dN`: [axis * K + node], a lane a particle.
+template <int D, int K, int C>
+struct Stencil {
+  static constexpr int edge = block_edge + K - 1;
+  static constexpr int nodes = D == 2 ? edge * edge : edge * edge * edge;
+  using Lane = Wide<lane_count<D>>;
+
+  /// value[c] = sum_i N_i u_ic and, with Gradient, gradient[c][b] = sum_i dN_i/dx_b u_ic.
+  template <bool Value, bool Gradient>
+  static inline __attribute__((always_inline)) void gather(const double* u, const Lane* N, const Lane* dN, Lane* value,
+                                                           Lane (*gradient)[D]) {
+    for (int c = 0; c < C; ++c) {
+      Lane v{}, gx{}, gy{}, gz{};
+      for (int k = 0; k < (D == 3 ? K : 1); ++k) {
+        Lane s{}, sx{}, sy{};
+        for (int j = 0; j < K; ++j) {
+          Lane r{}, rx{};
+          for (int i = 0; i < K; ++i) {
+            const double node = u[(i + edge * (j + edge * k)) * C + c];
+            r += N[i] * node;
+            if constexpr (Gradient) rx += dN[i] * node;
+          }
+          s += N[K + j] * r;
+          if constexpr (Gradient) {
+            sx += N[K + j] * rx;
+            sy += dN[K + j] * r;
+          }
+        }
+        if constexpr (D == 3) {
+          v += N[2 * K + k] * s;
+          if constexpr (Gradient) {
+            gx += N[2 * K + k] * sx;
+            gy += N[2 * K + k] * sy;
+            gz += dN[2 * K + k] * s;
+          }
+        } else {
+          v = s;
+          gx = sx;
+          gy = sy;
+        }
+      }
+      if constexpr (Value) value[c] = v;
+      if constexpr (Gradient) {
+        gradient[c][0] = gx;
+        gradient[c][1] = gy;
+        if constexpr (D == 3) gradient[c][2] = gz;
+      }
+    }
+  }
+
+  /// out_ic += sum over lanes of N_i value[c] + sum_b dN_i/dx_b flux[c][b]; Value, Flux say which terms there are.
+  template <bool Value, bool Flux>
+  static inline __attribute__((always_inline)) void scatter(const Lane* value, const Lane (*flux)[D], const Lane* N,
+                                                            const Lane* dN, double* out) {
+    for (int c = 0; c < C; ++c)
+      for (int k = 0; k < (D == 3 ? K : 1); ++k) {
+        Lane a{}, fx{}, fy{};
+        if constexpr (D == 3) {
+          if constexpr (Value) a += N[2 * K + k] * value[c];
+          if constexpr (Flux) {
+            a += dN[2 * K + k] * flux[c][2];
+            fx = N[2 * K + k] * flux[c][0];
+            fy = N[2 * K + k] * flux[c][1];
+          }
+        } else {
+          if constexpr (Value) a = value[c];
+          if constexpr (Flux) {
+            fx = flux[c][0];
+            fy = flux[c][1];
+          }
+        }
+        for (int j = 0; j < K; ++j) {
+          Lane b = N[K + j] * a, bx{};
+          if constexpr (Flux) {
+            b += dN[K + j] * fy;
+            bx = N[K + j] * fx;
+          }
+          for (int i = 0; i < K; ++i) {
+            Lane sum = N[i] * b;
+            if constexpr (Flux) sum += dN[i] * bx;
+            out[(i + edge * (j + edge * k)) * C + c] += sum_lanes(sum);
+          }
+        }
+      }
+  }
+};
+
+/// Reads the nodes of a block from a node-major vector; nodes that are not active read 0.
+template <int D, int K, int C>
+inline void load_block(const Plan<D>& plan, const Block<D>& block, const double* from, double* local) {
+  const std::int32_t* table = plan.node_table(block);
+  for (int i = 0; i < Stencil<D, K, C>::nodes; ++i)
+    for (int c = 0; c < C; ++c) local[i * C + c] = table[i] < 0 ? 0.0 : from[static_cast<std::ptrdiff_t>(table[i]) * C + c];
+}
+
+/// Adds the block's nodes to a node-major vector.
+template <int D, int K, int C>
+inline void add_block(const Plan<D>& plan, const Block<D>& block, const double* local, double* to) {
+  const std::int32_t* table = plan.node_table(block);
+  for (int i = 0; i < Stencil<D, K, C>::nodes; ++i)
+    if (table[i] >= 0)
+      for (int c = 0; c < C; ++c) to[static_cast<std::ptrdiff_t>(table[i]) * C + c] += local[i * C + c];
+}
+
+/// Calls f(std::integral_constant<int, K>) for the plan's nodes an axis.
+template <int D, class Function>
+decltype(auto) with_nodes_per_axis(const Plan<D>& plan, Function&& f) {
+  switch (plan.nodes_per_axis()) {
+    case 2:
+      return f(std::integral_constant<int, 2>{});
+    case 3:
+      return f(std::integral_constant<int, 3>{});
+    default:
+      return f(std::integral_constant<int, 4>{});
+  }
+}
+
+/// body(block) for every block; bodies may only read nodes.
+template <int D, class Body>
+void for_each_block(const Plan<D>& plan, Parallel& parallel, Body&& body) {
+  const auto& blocks = plan.blocks();
+  parallel(static_cast<int>(blocks.size()), [&](int b) { body(blocks[static_cast<std::size_t>(b)], b); });
+}
+
+/// body(block) for every block, one colour after the other: bodies may add to the block's nodes. Each node is
+/// written in the order of the colours, whatever the number of threads.
+template <int D, class Body>
+void for_each_block_coloured(const Plan<D>& plan, Parallel& parallel, Body&& body) {
+  const auto& blocks = plan.blocks();
+  for (const std::vector<int>& colour : plan.colours())
+    parallel(static_cast<int>(colour.size()), [&](int k) {
+      const int b = colour[static_cast<std::size_t>(k)];
+      body(blocks[static_cast<std::size_t>(b)], b);
+    });
+}
+
+}  // namespace pf

@@ -1,0 +1,16 @@
+// Backward Euler (THEORY T4): x^ minimises E(x^), v^{n+1} = (x^ - x)/dt. First order, never unstable, damps what it cannot
+// resolve: E/E0 = (1 + w^2 dt^2)^-n.
+#pragma once
+
+#include "core/integrators/integrator.hpp"
+
+namespace pf {
+
+template <int D>
+class BackwardEuler final : public Integrator<D> {
+ public:
+  double stage() const override { return 1; }
+  NewtonResult advance(const StepProblem<D>& problem) override;
+};
+
+}  // namespace pf

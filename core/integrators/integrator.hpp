@@ -1,0 +1,53 @@
+// A time scheme: what it asks the solver to minimise, and which velocity the grid has afterwards.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "core/energies/elastic.hpp"
+#include "core/energies/friction.hpp"
+#include "core/energies/grab.hpp"
+#include "core/grid/mass.hpp"
+#include "core/solvers/newton.hpp"
+#include "core/transfers/transfer.hpp"
+
+namespace pf {
+
+/// What one step on the grid works with. All parts outlive the call.
+template <int D>
+struct StepProblem {
+  const Plan<D>& plan;
+  const MassMatrix<D>& mass;  ///< the inertia's
+  ElasticEnergy<D>& elastic;
+  GrabSpring<D>* grab;        ///< may be null
+  const FeasibleSet<D>& set;  ///< constraints and boundaries, displacements over dt
+  const Vector& force;        ///< f_ext at the scheme's stage time [N]
+  double dt;
+  NewtonSettings newton;
+  LinearSolver<D>& linear;
+  Parallel& parallel;
+  const std::atomic<bool>* cancel;
+  GridState<D>& grid;  ///< in: mass, v; out: u, v_end
+};
+
+template <int D>
+class Integrator {
+ public:
+  virtual ~Integrator() = default;
+  /// Time at which loads are evaluated, as a fraction of the step: 1 for backward Euler, 0 for symplectic Euler.
+  virtual double stage() const = 0;
+  virtual NewtonResult advance(const StepProblem<D>& problem) = 0;
+};
+
+struct IntegratorInfo {
+  std::string_view name, label, about;
+  bool implicit;
+};
+std::span<const IntegratorInfo> integrators();
+/// Throws std::invalid_argument for an unknown name.
+template <int D>
+std::unique_ptr<Integrator<D>> make_integrator(std::string_view name);
+
+}  // namespace pf

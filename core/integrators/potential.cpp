@@ -1,0 +1,127 @@
+#include "core/integrators/potential.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pf {
+
+template <int D>
+IncrementalPotential<D>::IncrementalPotential(const Plan<D>& plan, const Vector& lumped_mass, const FeasibleSet<D>& set,
+                                              std::vector<Energy<D>*> terms,
+                                              const std::vector<const Vector*>& reference_forces)
+    : plan_(plan), set_(set), terms_(std::move(terms)) {
+  const Eigen::Index n = lumped_mass.size();
+  // A node that holds next to nothing must not decide alone whether the step has converged.
+  const double least = 1e-9 * lumped_mass.maxCoeff();
+  weight_.resize(n * D);
+  for (Eigen::Index i = 0; i < n; ++i) weight_.segment<D>(i * D).setConstant(1 / std::max(lumped_mass[i], least));
+  fixed_.assign(static_cast<std::size_t>(n), 0);
+  std::vector<Mat<D>> free;
+  for (const NodeConstraint<D>& c : set.constrained) {
+    free.push_back(c.free);
+    if (c.free.isZero()) fixed_[static_cast<std::size_t>(c.node)] = 1;
+  }
+  for (const Vector* f : reference_forces) {
+    Vector over_free = *f;
+    set.restrict_to(free, over_free);
+    reference_ = std::max(reference_, norm(over_free));
+  }
+}
+
+template <int D>
+double IncrementalPotential<D>::value(const Vector& u) {
+  double E = 0;
+  energy_scale_ = 0;
+  for (Energy<D>* term : terms_) {
+    const double part = term->value(u);
+    E += part;
+    energy_scale_ += std::abs(part);
+  }
+  return E;
+}
+
+template <int D>
+double IncrementalPotential<D>::gradient(const Vector& u, Vector& g) {
+  g.setZero(u.size());
+  magnitude_.setZero(u.size() / D);
+  double E = 0;
+  energy_scale_ = 0;
+  for (Energy<D>* term : terms_) {
+    const double part = term->gradient(u, g, magnitude_);
+    E += part;
+    energy_scale_ += std::abs(part);
+  }
+  return E;
+}
+
+template <int D>
+void IncrementalPotential<D>::prepare_hessian(const Vector& u, bool project) {
+  for (Energy<D>* term : terms_) term->prepare_hessian(u, project);
+}
+
+template <int D>
+void IncrementalPotential<D>::hessian_product(const Vector& p, Vector& Hp) {
+  for (Energy<D>* term : terms_) term->hessian_product(p, Hp);
+}
+
+template <int D>
+void IncrementalPotential<D>::diagonal(std::vector<Mat<D>>& blocks) {
+  for (Energy<D>* term : terms_) term->diagonal(blocks);
+}
+
+template <int D>
+void IncrementalPotential<D>::make_pattern(BlockMatrix<D>& H) const {
+  const int K = plan_.nodes_per_axis(), edge = block_edge + K - 1;
+  const int count = D == 2 ? K * K : K * K * K;
+  std::vector<std::vector<std::int32_t>> columns(static_cast<std::size_t>(plan_.node_count()));
+  for (const Block<D>& block : plan_.blocks()) {
+    const std::int32_t* table = plan_.node_table(block);
+    int previous = -1;
+    for (int i = block.batch_begin; i < block.batch_end; ++i) {
+      const int first = plan_.batches()[static_cast<std::size_t>(i)].node;
+      if (first == previous) continue;
+      previous = first;
+      for (int r = 0; r < count; ++r)
+        for (int c = 0; c < count; ++c) {
+          const std::int32_t row = table[first + r % K + edge * (r / K % K + edge * (r / (K * K)))];
+          const std::int32_t column = table[first + c % K + edge * (c / K % K + edge * (c / (K * K)))];
+          if (row >= column) columns[static_cast<std::size_t>(row)].push_back(column);
+        }
+    }
+  }
+  H.row_start.assign(1, 0);
+  H.column.clear();
+  for (std::vector<std::int32_t>& row : columns) {
+    std::sort(row.begin(), row.end());
+    row.erase(std::unique(row.begin(), row.end()), row.end());
+    H.column.insert(H.column.end(), row.begin(), row.end());
+    H.row_start.push_back(static_cast<std::int64_t>(H.column.size()));
+  }
+  H.block.resize(H.column.size());
+}
+
+template <int D>
+void IncrementalPotential<D>::assemble(BlockMatrix<D>& H) {
+  if (!have_pattern_) make_pattern(H);
+  have_pattern_ = true;
+  H.set_zero();
+  for (Energy<D>* term : terms_) term->assemble(H);
+}
+
+template <int D>
+double IncrementalPotential<D>::norm(const Vector& g) const {
+  return std::sqrt(g.cwiseAbs2().dot(weight_));
+}
+
+template <int D>
+double IncrementalPotential<D>::scale() const {
+  double s = 0;
+  for (Eigen::Index i = 0; i < magnitude_.size(); ++i)
+    if (!fixed_[static_cast<std::size_t>(i)]) s += magnitude_[i] * magnitude_[i] * weight_[i * D];
+  return std::max(reference_, std::sqrt(s));
+}
+
+template class IncrementalPotential<2>;
+template class IncrementalPotential<3>;
+
+}  // namespace pf

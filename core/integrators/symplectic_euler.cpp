@@ -1,0 +1,56 @@
+#include "core/integrators/symplectic_euler.hpp"
+
+#include <algorithm>
+
+namespace pf {
+
+namespace {
+
+/// Coulomb's law as an impulse: the wall took `correction` along the normal, it may take mu times that along the slip.
+template <int D>
+void rub(const FeasibleSet<D>& set, const Vector& before, Vector& u) {
+  for (const NodeConstraint<D>& c : set.constrained) {
+    if (!(c.friction > 0)) continue;
+    auto value = u.segment<D>(c.node * D);
+    const Vec<D> correction = value - before.segment<D>(c.node * D);
+    const double pushed = correction.norm();
+    if (pushed == 0) continue;
+    const Vec<D> n = correction / pushed;
+    const Vec<D> slip = (value - c.wall) - n * n.dot(value - c.wall);
+    const double length = slip.norm();
+    if (length > 0) value -= std::min(1.0, c.friction * pushed / length) * slip;
+  }
+}
+
+}  // namespace
+
+template <int D>
+NewtonResult SymplecticEuler<D>::advance(const StepProblem<D>& problem) {
+  const GridState<D>& grid = problem.grid;
+  Vector g = -problem.force, magnitude = Vector::Zero(grid.mass.size());
+  Vector u = Vector::Zero(grid.v.size());
+  problem.elastic.gradient(u, g, magnitude);
+  if (problem.grab) problem.grab->gradient(u, g, magnitude);
+  Vector a = Vector::Zero(u.size());
+  if (problem.mass.consistent()) {
+    double residual = 0;
+    problem.mass.solve(-g, a, residual);
+  } else {
+    // A node whose mass is rounding has no acceleration of its own.
+    const double rounding = 1e-14 * grid.mass.maxCoeff();
+    for (Eigen::Index i = 0; i < grid.mass.size(); ++i)
+      if (grid.mass[i] > rounding) a.segment<D>(i * D) = -g.segment<D>(i * D) / grid.mass[i];
+  }
+  u = problem.dt * (grid.v + problem.dt * a);
+  const Vector before = u;
+  problem.set.project(u);
+  rub(problem.set, before, u);
+  problem.grid.u = u;
+  problem.grid.v_end = u / problem.dt;
+  return {};
+}
+
+template class SymplecticEuler<2>;
+template class SymplecticEuler<3>;
+
+}  // namespace pf

@@ -1,0 +1,16 @@
+// Symplectic (explicit) Euler: v^{n+1} = v^n + dt M^-1 f(x^n), x^ = x + dt v^{n+1}. Cheap and without damping, stable only
+// below a dt of about dx/c.
+#pragma once
+
+#include "core/integrators/integrator.hpp"
+
+namespace pf {
+
+template <int D>
+class SymplecticEuler final : public Integrator<D> {
+ public:
+  double stage() const override { return 0; }
+  NewtonResult advance(const StepProblem<D>& problem) override;
+};
+
+}  // namespace pf

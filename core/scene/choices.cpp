@@ -1,0 +1,95 @@
+#include "core/scene/choices.hpp"
+
+#include "core/bases/basis.hpp"
+#include "core/integrators/integrator.hpp"
+#include "core/solvers/linear_solver.hpp"
+#include "core/transfers/transfer.hpp"
+
+namespace pf {
+namespace {
+
+/// The registries of the numerics, as choices: their tables are the only place that names what is built.
+template <class Registry>
+std::vector<Choice> choices_of(const Registry& registry) {
+  std::vector<Choice> choices;
+  for (const auto& entry : registry) choices.push_back({entry.name, entry.label, entry.about});
+  return choices;
+}
+
+constexpr Choice mass_table[] = {
+    {"lumped", "Lumped", "row sums: diagonal, positive wherever there is mass"},
+    {"consistent", "Consistent", "the full matrix: more accurate, may be nearly singular at edges"},
+};
+constexpr Choice sampling_table[] = {
+    {"lattice", "Lattice", "regular, aligned with the grid: most accurate at the start"},
+    {"jittered", "Jittered", "lattice points moved at random (seed): no preferred direction"},
+    {"poisson_disc", "Poisson disc", "random with a least distance (seed): even and irregular"},
+};
+constexpr Choice contact_table[] = {
+    {"stick", "Stick", "material that touches moves with the boundary"},
+    {"slip", "Slip", "slides along the boundary, never leaves it"},
+    {"separate", "Separate", "may leave the boundary, never enters it"},
+};
+constexpr Choice control_table[] = {
+    {"fixed", "Fixed step", "every step as long as time.step"},
+};
+constexpr Choice shape_table[] = {
+    {"box", "Box", "between two corners"},
+    {"ball", "Ball", "a disc in 2D"},
+    {"cylinder", "Cylinder", "round, between the centres of its two ends; 3D"},
+    {"polygon", "Polygon", "closed by itself, must not cross itself; 2D"},
+    {"half_space", "Half space", "everything behind a plane (3D) or a line (2D); normal points out of it"},
+    {"where", "Where", "all points between two corners where an expression in X Y Z is positive"},
+    {"union", "Union", "what is in any of several shapes"},
+    {"difference", "Difference", "the first shape without the others"},
+    {"intersection", "Intersection", "what is in all of several shapes"},
+};
+
+}  // namespace
+
+std::span<const Choice> basis_choices() {
+  static const std::vector<Choice> choices = choices_of(bases());
+  return choices;
+}
+std::span<const Choice> integrator_choices() {
+  static const std::vector<Choice> choices = choices_of(integrators());
+  return choices;
+}
+std::span<const Choice> transfer_choices() {
+  static const std::vector<Choice> choices = choices_of(transfers());
+  return choices;
+}
+std::span<const Choice> solver_choices() {
+  static const std::vector<Choice> choices = choices_of(linear_solvers());
+  return choices;
+}
+std::span<const Choice> mass_choices() {
+  return mass_table;
+}
+std::span<const Choice> sampling_choices() {
+  return sampling_table;
+}
+std::span<const Choice> contact_choices() {
+  return contact_table;
+}
+std::span<const Choice> step_control_choices() {
+  return control_table;
+}
+std::span<const Choice> shape_choices() {
+  return shape_table;
+}
+
+const Choice* find_choice(std::span<const Choice> choices, std::string_view name) {
+  for (const Choice& choice : choices) {
+    if (choice.name == name) return &choice;
+  }
+  return nullptr;
+}
+
+std::vector<std::string> names(std::span<const Choice> choices) {
+  std::vector<std::string> result;
+  for (const Choice& choice : choices) result.emplace_back(choice.name);
+  return result;
+}
+
+}  // namespace pf

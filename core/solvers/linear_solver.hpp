@@ -1,0 +1,54 @@
+// H p = -g on the free directions: what Newton's method asks of a linear solver.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "core/math/parallel.hpp"
+#include "core/solvers/feasible_set.hpp"
+#include "core/solvers/objective.hpp"
+
+namespace pf {
+
+template <int D>
+struct LinearProblem {
+  Objective<D>& objective;  ///< its Hessian is prepared
+  const FeasibleSet<D>& set;
+  const std::vector<Mat<D>>& directions;  ///< of set.active_directions
+  const Vector& g;                        ///< restricted to the directions
+  double tolerance;                       ///< relative, in the preconditioner's norm; a direct solver ignores it
+  const std::atomic<bool>* cancel;
+};
+
+struct LinearResult {
+  int iterations = 0;
+  bool negative_curvature = false;  ///< H is not positive definite on the free directions; p is not to be used
+  bool cancelled = false;
+};
+
+template <int D>
+class LinearSolver {
+ public:
+  virtual ~LinearSolver() = default;
+  virtual std::string_view name() const = 0;
+  virtual LinearResult solve(const LinearProblem<D>& problem, Vector& p) = 0;
+  /// The step's nodes have changed: forget what depends on them.
+  virtual void new_step() {}
+};
+
+/// A linear solver as the menu knows it.
+struct LinearSolverInfo {
+  std::string_view name, label, about;
+};
+/// "auto" first.
+std::span<const LinearSolverInfo> linear_solvers();
+/// Not for "auto". Throws std::invalid_argument for an unknown name.
+template <int D>
+std::unique_ptr<LinearSolver<D>> make_linear_solver(std::string_view name, Parallel& parallel);
+
+extern template std::unique_ptr<LinearSolver<2>> make_linear_solver<2>(std::string_view, Parallel&);
+extern template std::unique_ptr<LinearSolver<3>> make_linear_solver<3>(std::string_view, Parallel&);
+
+}  // namespace pf

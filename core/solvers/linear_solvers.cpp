@@ -1,0 +1,30 @@
+#include <array>
+#include <stdexcept>
+#include <string>
+
+#include "core/solvers/direct.hpp"
+#include "core/solvers/pcg_jacobi.hpp"
+
+namespace pf {
+
+namespace {
+constexpr std::array<LinearSolverInfo, 3> registry{{
+    {"auto", "Automatic", "Conjugate gradients; in 2D the direct solver once the counted iterations make it cheaper."},
+    {"pcg_jacobi", "Conjugate gradients, block-Jacobi", "Matrix-free; best for soft or large scenes."},
+    {"direct", "Direct (sparse Cholesky)", "Exact and unmoved by stiffness; best for small 2D scenes."},
+}};
+}  // namespace
+
+std::span<const LinearSolverInfo> linear_solvers() { return registry; }
+
+template <int D>
+std::unique_ptr<LinearSolver<D>> make_linear_solver(std::string_view name, Parallel& parallel) {
+  if (name == "pcg_jacobi") return std::make_unique<PcgJacobi<D>>(parallel);
+  if (name == "direct") return std::make_unique<DirectSolver<D>>();
+  throw std::invalid_argument("unknown linear solver " + std::string(name));
+}
+
+template std::unique_ptr<LinearSolver<2>> make_linear_solver<2>(std::string_view, Parallel&);
+template std::unique_ptr<LinearSolver<3>> make_linear_solver<3>(std::string_view, Parallel&);
+
+}  // namespace pf

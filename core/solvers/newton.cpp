@@ -1,0 +1,204 @@
+#include "core/solvers/newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pf {
+
+namespace {
+
+/// The state of one solve: an iterate with its energy, gradient and free directions.
+template <int D>
+class Minimiser {
+ public:
+  Minimiser(Objective<D>& objective, const FeasibleSet<D>& set, LinearSolver<D>& linear, const NewtonSettings& settings,
+            const std::atomic<bool>* cancel, Vector& u)
+      : objective_(objective), set_(set), linear_(linear), settings_(settings), cancel_(cancel), u_(u) {}
+
+  NewtonResult run();
+
+ private:
+  bool cancelled() const { return cancel_ && cancel_->load(std::memory_order_relaxed); }
+  /// E and g at u, and what of g the constraints leave: its size is the residual.
+  void evaluate();
+  void reduce();
+  double forcing() const;
+  LinearResult solve_for_direction(NewtonIteration& record);
+  bool search(NewtonIteration& record);
+  bool search_energy(NewtonIteration& record, double slope);
+  bool search_residual(NewtonIteration& record);
+  NewtonResult finish(NewtonStatus status) {
+    result_.status = status;
+    result_.residual = residual_;
+    return std::move(result_);
+  }
+
+  Objective<D>& objective_;
+  const FeasibleSet<D>& set_;
+  LinearSolver<D>& linear_;
+  const NewtonSettings& settings_;
+  const std::atomic<bool>* cancel_;
+  Vector& u_;
+  Vector g_, free_g_, d_, trial_, trial_g_;
+  std::vector<Mat<D>> directions_;
+  double E_ = 0, residual_ = 0, norm_ = 0, previous_norm_ = 0;
+  bool project_ = false;
+  double norm_when_projected_ = 0;
+  NewtonResult result_;
+};
+
+template <int D>
+void Minimiser<D>::reduce() {
+  set_.active_directions(u_, g_, directions_);
+  free_g_ = g_;
+  set_.restrict_to(directions_, free_g_);
+  norm_ = objective_.norm(free_g_);
+  // A problem without any force is solved where it stands.
+  const double scale = objective_.scale();
+  residual_ = norm_ == 0 ? 0 : norm_ / std::max(scale, 1e-300);
+}
+
+template <int D>
+void Minimiser<D>::evaluate() {
+  E_ = objective_.gradient(u_, g_);
+  reduce();
+}
+
+template <int D>
+double Minimiser<D>::forcing() const {
+  // Eisenstat and Walker 1996, choice 2, never tighter than the tolerance needs.
+  double eta = 0.1;
+  if (previous_norm_ > 0) eta = std::min(eta, 0.9 * (norm_ / previous_norm_) * (norm_ / previous_norm_));
+  const double needed = 0.1 * settings_.tolerance / std::max(residual_, 1e-300);
+  return std::clamp(std::max(eta, needed), 1e-10, 0.1);
+}
+
+template <int D>
+LinearResult Minimiser<D>::solve_for_direction(NewtonIteration& record) {
+  if (project_ && norm_ < 1e-2 * norm_when_projected_) project_ = false;
+  for (;;) {
+    objective_.prepare_hessian(u_, project_);
+    const LinearProblem<D> problem{objective_, set_, directions_, free_g_, forcing(), cancel_};
+    LinearResult solved = linear_.solve(problem, d_);
+    record.linear_iterations += solved.iterations;
+    record.projected = project_;
+    result_.linear_iterations += solved.iterations;
+    if (solved.cancelled || !solved.negative_curvature || project_) return solved;
+    project_ = true;
+    norm_when_projected_ = norm_;
+  }
+}
+
+template <int D>
+bool Minimiser<D>::search_energy(NewtonIteration& record, double slope) {
+  constexpr double sufficient = 1e-4;
+  double alpha = 1;
+  for (int k = 0; k < 30; ++k, alpha *= 0.5) {
+    trial_ = u_ + alpha * d_;
+    set_.project(trial_);
+    // The full step is nearly always taken, and then its gradient is needed next.
+    const double E = k == 0 ? objective_.gradient(trial_, trial_g_) : objective_.value(trial_);
+    const double decrease = set_.constrained.empty() ? alpha * slope : std::min(0.0, g_.dot(trial_ - u_));
+    if (std::isfinite(E) && E <= E_ + sufficient * decrease && (decrease < 0 || E < E_)) {
+      record.step_length = alpha;
+      u_.swap(trial_);
+      if (k == 0) {
+        E_ = E;
+        g_.swap(trial_g_);
+      } else {
+        E_ = objective_.gradient(u_, g_);
+      }
+      return true;
+    }
+    if (alpha * std::abs(slope) < 1e-15 * objective_.energy_scale()) break;
+  }
+  return false;
+}
+
+template <int D>
+bool Minimiser<D>::search_residual(NewtonIteration& record) {
+  const double before = norm_;
+  const Vector start = u_, start_g = g_;
+  const double start_E = E_;
+  double alpha = 1;
+  for (int k = 0; k < 8; ++k, alpha *= 0.5) {
+    u_ = start + alpha * d_;
+    set_.project(u_);
+    E_ = objective_.gradient(u_, g_);
+    const double rounding = 1e-12 * std::max(objective_.energy_scale(), std::abs(start_E));
+    if (!std::isfinite(E_) || E_ > start_E + rounding) continue;
+    reduce();
+    if (norm_ < before) {
+      record.step_length = alpha;
+      record.residual_search = true;
+      return true;
+    }
+  }
+  u_ = start;
+  g_ = start_g;
+  E_ = start_E;
+  reduce();
+  return false;
+}
+
+template <int D>
+bool Minimiser<D>::search(NewtonIteration& record) {
+  const double slope = free_g_.dot(d_);
+  if (!(slope < 0) || !d_.allFinite()) return false;
+  const bool visible = -slope > 1e-13 * objective_.energy_scale();
+  if (visible && search_energy(record, slope)) return true;
+  return search_residual(record);
+}
+
+template <int D>
+NewtonResult Minimiser<D>::run() {
+  set_.project(u_);
+  evaluate();
+  if (!std::isfinite(E_)) return finish(NewtonStatus::infeasible_start);
+  for (int k = 0;; ++k) {
+    NewtonIteration record;
+    record.residual = residual_;
+    record.energy = E_;
+    if (!std::isfinite(residual_)) return finish(NewtonStatus::not_finite);
+    if (residual_ <= settings_.tolerance) {
+      result_.iterations.push_back(record);
+      return finish(NewtonStatus::converged);
+    }
+    if (k == settings_.max_iterations) {
+      result_.iterations.push_back(record);
+      return finish(NewtonStatus::not_converged);
+    }
+    if (cancelled()) return finish(NewtonStatus::cancelled);
+    const LinearResult solved = solve_for_direction(record);
+    if (solved.cancelled) return finish(NewtonStatus::cancelled);
+    if (solved.negative_curvature) d_ = -free_g_;  // only rounding makes a projected Hessian indefinite
+    previous_norm_ = norm_;
+    bool moved = search(record);
+    if (!moved && !project_) {
+      // A true Hessian can point uphill far from the minimum: once more with the projected one.
+      project_ = true;
+      norm_when_projected_ = norm_;
+      const LinearResult again = solve_for_direction(record);
+      if (again.cancelled) return finish(NewtonStatus::cancelled);
+      moved = !again.negative_curvature && search(record);
+    }
+    result_.iterations.push_back(record);
+    if (!moved) return finish(NewtonStatus::line_search_failed);
+    reduce();
+  }
+}
+
+}  // namespace
+
+template <int D>
+NewtonResult minimise(Objective<D>& objective, const FeasibleSet<D>& set, LinearSolver<D>& linear,
+                      const NewtonSettings& settings, const std::atomic<bool>* cancel, Vector& u) {
+  return Minimiser<D>(objective, set, linear, settings, cancel, u).run();
+}
+
+template NewtonResult minimise<2>(Objective<2>&, const FeasibleSet<2>&, LinearSolver<2>&, const NewtonSettings&,
+                                  const std::atomic<bool>*, Vector&);
+template NewtonResult minimise<3>(Objective<3>&, const FeasibleSet<3>&, LinearSolver<3>&, const NewtonSettings&,
+                                  const std::atomic<bool>*, Vector&);
+
+}  // namespace pf

@@ -1,0 +1,38 @@
+// Newton's method with line search for min E(u) over a feasible set (THEORY T4, T7).
+#pragma once
+
+#include <functional>
+
+#include "core/solvers/linear_solver.hpp"
+#include "core/step_report.hpp"
+
+namespace pf {
+
+struct NewtonSettings {
+  double tolerance = 1e-6;  ///< of THEORY T4
+  int max_iterations = 50;
+};
+
+enum class NewtonStatus { converged, cancelled, not_converged, line_search_failed, infeasible_start, not_finite };
+
+struct NewtonResult {
+  NewtonStatus status = NewtonStatus::converged;
+  double residual = 0;  ///< relative, T4
+  int linear_iterations = 0;
+  std::vector<NewtonIteration> iterations;  ///< one entry an evaluated iterate, the last without a step
+};
+
+/// The true Hessian is tried first; where it is not positive definite along the way, it is projected for that iteration
+/// and, since a neighbourhood of indefinite points is seldom left at once, for the rest of the solve until the residual has
+/// fallen by two orders. The step is searched along the projected path P(u + alpha d), E never rises; where differences of
+/// E are lost in rounding the gradient's norm decides instead. On failure u is the best iterate so far.
+template <int D>
+NewtonResult minimise(Objective<D>& objective, const FeasibleSet<D>& set, LinearSolver<D>& linear,
+                      const NewtonSettings& settings, const std::atomic<bool>* cancel, Vector& u);
+
+extern template NewtonResult minimise<2>(Objective<2>&, const FeasibleSet<2>&, LinearSolver<2>&, const NewtonSettings&,
+                                         const std::atomic<bool>*, Vector&);
+extern template NewtonResult minimise<3>(Objective<3>&, const FeasibleSet<3>&, LinearSolver<3>&, const NewtonSettings&,
+                                         const std::atomic<bool>*, Vector&);
+
+}  // namespace pf

@@ -1,0 +1,33 @@
+// What the solvers minimise: a smooth function of a long vector with D components a node. They know no particle and no grid.
+#pragma once
+
+#include <vector>
+
+#include "core/math/block_matrix.hpp"
+#include "core/types.hpp"
+
+namespace pf {
+
+template <int D>
+class Objective {
+ public:
+  virtual ~Objective() = default;
+  /// E(u); +infinity where u is not allowed.
+  virtual double value(const Vector& u) = 0;
+  /// E(u) and g = dE/du.
+  virtual double gradient(const Vector& u, Vector& g) = 0;
+  /// Fixes the Hessian at u, the point of the newest gradient(); `project`: a positive semi-definite substitute.
+  virtual void prepare_hessian(const Vector& u, bool project) = 0;
+  virtual void hessian_product(const Vector& p, Vector& Hp) = 0;
+  virtual void diagonal(std::vector<Mat<D>>& blocks) = 0;
+  /// H, lower triangle; the pattern stays the same during a step.
+  virtual void assemble(BlockMatrix<D>& H) = 0;
+  /// The norm of THEORY T4: components weighted by 1/sqrt(m_i).
+  virtual double norm(const Vector& g) const = 0;
+  /// What the norm of g is compared with at the point of the newest gradient(): T4's maximum.
+  virtual double scale() const = 0;
+  /// Size of the terms that E(u) is a sum of: below about 1e-15 of it differences of E are rounding.
+  virtual double energy_scale() const = 0;
+};
+
+}  // namespace pf

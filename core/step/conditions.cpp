@@ -1,0 +1,146 @@
+#include "core/step/conditions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/scene/scene_io.hpp"
+
+namespace pf {
+
+namespace {
+
+template <int D>
+Vec3 in_space(const Vec<D>& x) {
+  Vec3 y = Vec3::Zero();
+  y.head<D>() = x;
+  return y;
+}
+
+}  // namespace
+
+template <int D>
+Conditions<D>::Conditions(const Scene& scene) : tolerance_(1e-9 * scene.grid.spacing) {
+  for (const Boundary& b : scene.boundaries) {
+    Wall wall;
+    wall.solid = make_solid(b.shape, D, scene.constants);
+    wall.velocity = FormulaField<D>(b.velocity, scene.constants, mask_time);
+    wall.invert = b.invert;
+    wall.contact = b.contact == "stick" ? Wall::stick : b.contact == "slip" ? Wall::slip : Wall::separate;
+    wall.friction = b.friction;
+    walls_.push_back(std::move(wall));
+  }
+  displacement_.assign(walls_.size(), Vec<D>::Zero());
+  for (const Constraint& c : scene.constraints) {
+    Fixing fixing;
+    fixing.region = make_solid(c.region, D, scene.constants);
+    fixing.velocity = FormulaField<D>(c.velocity, scene.constants, mask_time);
+    for (std::size_t a = 0; a < D; ++a) fixing.fix[a] = a < c.fix.size() && c.fix[a];
+    fixings_.push_back(std::move(fixing));
+  }
+}
+
+template <int D>
+void Conditions<D>::constrain(NodeConstraint<D>& c, const Vec<D>& x, const std::vector<Vec<D>>& moved,
+                              std::array<int, D>& by) const {
+  for (std::size_t k = 0; k < fixings_.size(); ++k) {
+    const Fixing& fixing = fixings_[k];
+    if (!fixing.region->contains(in_space<D>(x), tolerance_)) continue;
+    for (int a = 0; a < D; ++a) {
+      const auto s = static_cast<std::size_t>(a);
+      if (!fixing.fix[s]) continue;
+      if (by[s] >= 0 && std::abs(c.given[a] - moved[k][a]) > 1e-12 * (std::abs(c.given[a]) + std::abs(moved[k][a])))
+        throw InputError("", {{"/constraints/" + std::to_string(k), "another velocity for component " + std::to_string(a) +
+                                                                        " than /constraints/" + std::to_string(by[s]),
+                               "one velocity for each component where regions overlap", 0}});
+      by[s] = static_cast<int>(k);
+      c.given[a] = moved[k][a];
+      c.free(a, a) = 0;
+      c.by_constraint = true;
+    }
+  }
+}
+
+template <int D>
+void Conditions<D>::touch(NodeConstraint<D>& c, const Vec<D>& x, const std::vector<Vec<D>>& moved) const {
+  std::vector<Vec3> normals;
+  for (std::size_t k = 0; k < walls_.size(); ++k) {
+    const Wall& wall = walls_[k];
+    normals.clear();
+    wall.solid->contact_normals(in_space<D>(Vec<D>(x - displacement_[k])), wall.invert, tolerance_, normals);
+    if (normals.empty()) continue;
+    if (wall.contact == Wall::stick) {
+      c.given += c.free * moved[k];
+      c.free.setZero();
+      continue;
+    }
+    for (const Vec3& full : normals) {
+      const Vec<D> n = full.head<D>();
+      const Vec<D> axis = c.free * n;
+      if (axis.norm() < 1e-6) continue;  // a constraint or another wall has it already
+      if (wall.friction > 0) {
+        c.friction = wall.friction;
+        c.boundary = static_cast<std::uint16_t>(k);
+      }
+      c.wall = moved[k];
+      if (wall.contact == Wall::slip) {
+        const Vec<D> direction = axis.normalized();
+        c.given += direction * (n.dot(moved[k] - c.given) / n.dot(direction));
+        c.free -= direction * direction.transpose();
+      } else if (c.faces < D) {
+        c.normal[static_cast<std::size_t>(c.faces)] = n;
+        c.offset[static_cast<std::size_t>(c.faces)] = n.dot(moved[k]);
+        ++c.faces;
+      }
+    }
+  }
+  // A direction that was fixed after a face was noted leaves that face nothing to hold.
+  int kept = 0;
+  for (int f = 0; f < c.faces; ++f)
+    if ((c.free * c.normal[static_cast<std::size_t>(f)]).norm() > 1e-6) {
+      c.normal[static_cast<std::size_t>(kept)] = c.normal[static_cast<std::size_t>(f)];
+      c.offset[static_cast<std::size_t>(kept++)] = c.offset[static_cast<std::size_t>(f)];
+    }
+  c.faces = kept;
+}
+
+template <int D>
+FeasibleSet<D> Conditions<D>::at(const Plan<D>& plan, double t, double dt) const {
+  FeasibleSet<D> set;
+  if (walls_.empty() && fixings_.empty()) return set;
+  std::vector<Vec<D>> fixed_move, wall_move;
+  for (const Fixing& f : fixings_) fixed_move.push_back(f.velocity.integral(t, dt));
+  for (const Wall& w : walls_) wall_move.push_back(w.velocity.integral(t, dt));
+  for (int i = 0; i < plan.node_count(); ++i) {
+    NodeConstraint<D> c;
+    c.node = i;
+    const Vec<D> x = plan.node_position(i);
+    std::array<int, D> by;
+    by.fill(-1);
+    constrain(c, x, fixed_move, by);
+    touch(c, x, wall_move);
+    if (c.faces > 0 || c.free != Mat<D>::Identity()) set.constrained.push_back(c);
+  }
+  return set;
+}
+
+template <int D>
+void Conditions<D>::advance(double t, double dt) {
+  for (std::size_t k = 0; k < walls_.size(); ++k) displacement_[k] += walls_[k].velocity.integral(t, dt);
+}
+
+template <int D>
+bool Conditions<D>::holds(const Vec<D>& x) const {
+  for (const Fixing& f : fixings_)
+    if (f.region->contains(in_space<D>(x), tolerance_)) return true;
+  std::vector<Vec3> normals;
+  for (std::size_t k = 0; k < walls_.size(); ++k) {
+    walls_[k].solid->contact_normals(in_space<D>(Vec<D>(x - displacement_[k])), walls_[k].invert, tolerance_, normals);
+    if (!normals.empty()) return true;
+  }
+  return false;
+}
+
+template class Conditions<2>;
+template class Conditions<3>;
+
+}  // namespace pf

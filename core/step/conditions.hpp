@@ -1,0 +1,56 @@
+// The scene's constraints and boundaries as a feasible set of each step (INTERFACE fine print 6, THEORY T7).
+#pragma once
+
+#include <memory>
+
+#include "core/grid/plan.hpp"
+#include "core/scene/solid.hpp"
+#include "core/solvers/feasible_set.hpp"
+#include "core/step/formulas.hpp"
+
+namespace pf {
+
+template <int D>
+class Conditions {
+ public:
+  explicit Conditions(const Scene& scene);
+
+  /// Classifies the plan's nodes at t and integrates the given velocities over [t, t + dt]. Throws InputError when two
+  /// constraints set one component differently.
+  FeasibleSet<D> at(const Plan<D>& plan, double t, double dt) const;
+  /// The boundaries move on over [t, t + dt].
+  void advance(double t, double dt);
+
+  /// Displacement of each boundary since t = 0 [m].
+  std::vector<Vec<D>>& displacement() { return displacement_; }
+  const std::vector<Vec<D>>& displacement() const { return displacement_; }
+  /// True where a constraint or a solid holds the point at time t = 0 positions plus displacement.
+  bool holds(const Vec<D>& x) const;
+
+ private:
+  struct Wall {
+    std::unique_ptr<Solid> solid;
+    FormulaField<D> velocity;
+    bool invert = false;
+    enum { stick, slip, separate } contact = separate;
+    double friction = 0;
+  };
+  struct Fixing {
+    std::unique_ptr<Solid> region;
+    FormulaField<D> velocity;
+    std::array<bool, D> fix{};
+  };
+
+  void constrain(NodeConstraint<D>& c, const Vec<D>& x, const std::vector<Vec<D>>& moved, std::array<int, D>& by) const;
+  void touch(NodeConstraint<D>& c, const Vec<D>& x, const std::vector<Vec<D>>& moved) const;
+
+  std::vector<Wall> walls_;
+  std::vector<Fixing> fixings_;
+  std::vector<Vec<D>> displacement_;
+  double tolerance_;
+};
+
+extern template class Conditions<2>;
+extern template class Conditions<3>;
+
+}  // namespace pf

@@ -1,0 +1,186 @@
+// From scene to particles, and what of a scene can change while it runs.
+#include <algorithm>
+#include <cmath>
+
+#include "core/scene/sampling.hpp"
+#include "core/scene/scene_io.hpp"
+#include "core/scene/scene_view.hpp"
+#include "core/step/balance.hpp"
+#include "core/step/simulation_of.hpp"
+
+namespace pf {
+
+namespace {
+
+template <int D>
+std::unique_ptr<Law<D>> law_of(const Material& material) {
+  std::vector<double> values;
+  for (const auto& [key, value] : material.parameters) values.push_back(value);
+  return make_law<D>(material.model, values);
+}
+
+std::size_t material_index(const Scene& scene, const std::string& name) {
+  for (std::size_t k = 0; k < scene.materials.size(); ++k)
+    if (scene.materials[k].name == name) return k;
+  throw InputError("", {{"/bodies", "material \"" + name + "\"", "a material of the scene", 0}});
+}
+
+}  // namespace
+
+template <int D>
+SimulationOf<D>::SimulationOf(const Scene& scene, const SimulationOptions& options)
+    : scene_(scene),
+      parallel_(options.threads),
+      conditions_(scene),
+      loads_(scene),
+      known_(scene),
+      view_(std::make_shared<SceneView>(make_scene_view(scene))),
+      end_(scene.time.end) {
+  for (std::size_t k = 0; k < scene_.bodies.size(); ++k) add_body(k);
+  make_settings();
+  if (known_.known()) known_.set_initial_state(particles_);
+  for (const Probe& probe : scene_.probes) {
+    const Vec<D> at = probe.at.head<D>();
+    std::size_t nearest = 0;
+    for (std::size_t p = 1; p < particles_.size(); ++p)
+      if ((particles_.X[p] - at).squaredNorm() < (particles_.X[nearest] - at).squaredNorm()) nearest = p;
+    probe_ids_.push_back(particles_.id[nearest]);
+  }
+  dt_limit_ = scene_.time.step;
+  build_plan_or_throw();
+  const FeasibleSet<D> set = conditions_.at(plan_, 0, 0);  // refuses contradictions before the first step
+  accepted_.linear_iterations = 0;
+  fill_diagnostics(accepted_);
+  particles_to_grid(plan_, particles_, transfer_->affine(), parallel_, grid_);
+  lumped_velocity(plan_, particles_, grid_);
+  grid_.v_end = grid_.v;
+  grid_.u = Vector::Zero(grid_.v.size());
+  keep_grid(set);
+}
+
+template <int D>
+void SimulationOf<D>::add_body(std::size_t index) {
+  const Body& body = scene_.bodies[index];
+  const std::size_t material = material_index(scene_, body.material);
+  const Samples samples = sample_body(scene_, index);
+  const FormulaField<D> velocity(body.velocity, scene_.constants, mask_reference);
+  for (const Vec3& full : samples.X) {
+    const Vec<D> X = full.head<D>();
+    particles_.X.push_back(X);
+    particles_.x.push_back(X);
+    particles_.v.push_back(velocity(X, X, 0));
+    particles_.F.push_back(Mat<D>::Identity());
+    particles_.C.push_back(Mat<D>::Zero());
+    particles_.mass.push_back(scene_.materials[material].density * samples.volume);
+    particles_.volume0.push_back(samples.volume);
+    particles_.id.push_back(static_cast<std::uint32_t>(particles_.id.size()));
+    particles_.body.push_back(static_cast<std::uint16_t>(index));
+    particles_.material.push_back(static_cast<std::uint16_t>(material));
+  }
+}
+
+template <int D>
+void SimulationOf<D>::make_settings() {
+  laws_.clear();
+  for (const Material& material : scene_.materials) laws_.push_back(law_of<D>(material));
+  transfer_ = make_transfer<D>(scene_.transfer.type, scene_.transfer.flip_ratio);
+  integrator_ = make_integrator<D>(scene_.integrator.type);
+  chosen_solver_.clear();
+  loads_.set_gravity(scene_.gravity);
+  for (std::size_t p = 0; p < particles_.size(); ++p)
+    particles_.mass[p] = scene_.materials[particles_.material[p]].density * particles_.volume0[p];
+}
+
+template <int D>
+void SimulationOf<D>::build_plan_or_throw() {
+  if (!plan_.build(particles_, *find_basis(scene_.grid.basis), scene_.grid.spacing, parallel_))
+    throw InputError("", {{"/bodies", "bodies too far apart for this grid spacing",
+                           "positions below 1e15 spacings, all within about 2 million cells (3D) of each other", 0}});
+}
+
+template <int D>
+bool SimulationOf<D>::apply(const Scene& scene) {
+  // What the particles, surfaces or known motion were made from needs a reset.
+  if (scene.dimension != scene_.dimension || scene.constants != scene_.constants || scene.grid != scene_.grid ||
+      scene.bodies != scene_.bodies || scene.loads != scene_.loads || scene.body_force != scene_.body_force ||
+      scene.boundaries != scene_.boundaries || scene.constraints != scene_.constraints ||
+      scene.exact_position != scene_.exact_position || scene.manufactured != scene_.manufactured ||
+      scene.probes != scene_.probes || scene.materials.size() != scene_.materials.size())
+    return false;
+  for (std::size_t k = 0; k < scene.materials.size(); ++k)
+    if (scene.materials[k].name != scene_.materials[k].name) return false;
+  const bool was_affine = transfer_->affine();
+  const bool physics = scene.materials != scene_.materials || scene.gravity != scene_.gravity ||
+                       scene.transfer != scene_.transfer || scene.integrator != scene_.integrator ||
+                       scene.solver != scene_.solver;
+  if (scene.time.end != scene_.time.end) end_ = scene.time.end;
+  dt_limit_ = scene.time.step;
+  scene_ = scene;
+  if (!physics) return true;
+  make_settings();
+  if (was_affine && !transfer_->affine())
+    for (Mat<D>& C : particles_.C) C.setZero();
+  if (known_.known()) known_.set_laws(laws_);
+  const long step = accepted_.step;
+  accepted_.step = step;
+  accepted_.balance = particle_balance<D>(particles_, laws_, plan_, transfer_->affine(), loads_.gravity());
+  return true;
+}
+
+template <int D>
+void SimulationOf<D>::set_grab(const std::optional<Grab>& grab) {
+  const bool again = grab && grab_ && grab->from == grab_->from && grab->radius == grab_->radius;
+  grab_ = grab;
+  if (!grab) {
+    held_ = {};
+    return;
+  }
+  if (again && !held_.id.empty()) return;
+  // Smooth weights (1 - (r/R)^2)^2 by volume; the nearest particle alone where none is within reach.
+  held_ = {};
+  const Vec<D> from = grab->from.head<D>();
+  double sum = 0, stiffness = 0;
+  std::size_t nearest = 0;
+  for (std::size_t p = 0; p < particles_.size(); ++p) {
+    const double r2 = (particles_.x[p] - from).squaredNorm(), R2 = grab->radius * grab->radius;
+    if (r2 < (particles_.x[nearest] - from).squaredNorm()) nearest = p;
+    if (!(r2 < R2)) continue;
+    const double w = (1 - r2 / R2) * (1 - r2 / R2) * particles_.volume0[p];
+    held_.id.push_back(particles_.id[p]);
+    held_.weight.push_back(w);
+    sum += w;
+    const Material& material = scene_.materials[particles_.material[p]];
+    const double c = laws_[particles_.material[p]]->wave_speed(material.density);
+    stiffness += w * material.density * c * c;
+  }
+  if (held_.id.empty()) {
+    held_ = {{particles_.id[nearest]}, {1.0}};
+    const Material& material = scene_.materials[particles_.material[nearest]];
+    const double c = laws_[particles_.material[nearest]]->wave_speed(material.density);
+    grab_stiffness_ = material.density * c * c * (D == 2 ? 1 : scene_.grid.spacing);
+    return;
+  }
+  for (double& w : held_.weight) w /= sum;
+  // As stiff as the held material itself: modulus times its size (times unit thickness in 2D).
+  grab_stiffness_ = stiffness / sum * (D == 2 ? 1 : grab->radius);
+}
+
+template <int D>
+std::string SimulationOf<D>::solver_choice() const {
+  return chosen_solver_.empty() ? "" : chosen_solver_ + (choice_reason_.empty() ? "" : ": " + choice_reason_);
+}
+
+template SimulationOf<2>::SimulationOf(const Scene&, const SimulationOptions&);
+template SimulationOf<3>::SimulationOf(const Scene&, const SimulationOptions&);
+
+#define PF_INSTANTIATE(D)                                                  \
+  template void SimulationOf<D>::make_settings();                          \
+  template void SimulationOf<D>::build_plan_or_throw();                    \
+  template bool SimulationOf<D>::apply(const Scene&);                      \
+  template void SimulationOf<D>::set_grab(const std::optional<Grab>&);     \
+  template std::string SimulationOf<D>::solver_choice() const;
+PF_INSTANTIATE(2)
+PF_INSTANTIATE(3)
+#undef PF_INSTANTIATE
+
+}  // namespace pf

@@ -1,0 +1,98 @@
+// The simulation in D dimensions: owns particles and grid; step() reads like THEORY T3 to T5.
+#pragma once
+
+#include <chrono>
+
+#include "core/energies/elastic.hpp"
+#include "core/energies/grab.hpp"
+#include "core/integrators/integrator.hpp"
+#include "core/simulation.hpp"
+#include "core/step/conditions.hpp"
+#include "core/step/known_motion.hpp"
+#include "core/step/loads.hpp"
+#include "core/transfers/transfer.hpp"
+
+namespace pf {
+
+template <int D>
+class SimulationOf final : public Simulation {
+ public:
+  SimulationOf(const Scene& scene, const SimulationOptions& options);
+
+  const Scene& scene() const override { return scene_; }
+  std::size_t particle_count() const override { return particles_.size(); }
+  double time() const override { return time_; }
+  const StepReport& report() const override { return accepted_; }
+  const StepReport& step(const std::atomic<bool>* cancel) override;
+  void set_end(double end) override { end_ = end; }
+  bool apply(const Scene& scene) override;
+  void set_grab(const std::optional<Grab>& grab) override;
+  void capture(const SnapshotRequest& request, Snapshot& into) const override;
+  std::vector<ProbeReading> probes() const override;
+  std::vector<ParticleState> particles() const override;
+  ParticleState particle(std::uint32_t id) const override;
+  std::string solver_choice() const override;
+  void save_state(std::ostream& out) const override;
+  void load_state(std::istream& in) override;
+
+ private:
+  /// What an attempted step came to.
+  struct Attempt {
+    enum Outcome { accepted, cancelled, failed } outcome = accepted;
+    std::string reason;  ///< of failure, for the user
+  };
+  /// The grid of the last accepted step, for pictures.
+  struct LastGrid {
+    std::vector<std::array<long long, D>> index;
+    Vector mass, v, u;
+    std::vector<std::uint8_t> state;
+  };
+
+  void add_body(std::size_t index);
+  void make_settings();
+  void choose_solver();
+  void build_plan_or_throw();
+  double next_dt() const;
+  Attempt attempt(double dt, const std::atomic<bool>* cancel, StepReport& report);
+  void grid_velocity(StepReport& report);
+  Attempt judge(const NewtonResult& newton, double dt, StepReport& report);
+  void keep_state();
+  void restore_state();
+  void keep_grid(const FeasibleSet<D>& set);
+  void fill_diagnostics(StepReport& report) const;
+  ParticleState state_of(std::size_t p) const;
+  void capture_fields(const SnapshotRequest& request, Snapshot& into) const;
+  void capture_grid(Snapshot& into) const;
+
+  Scene scene_;
+  mutable Parallel parallel_;
+  Laws<D> laws_;
+  std::unique_ptr<Transfer<D>> transfer_;
+  std::unique_ptr<Integrator<D>> integrator_;
+  std::unique_ptr<LinearSolver<D>> linear_;
+  std::string chosen_solver_, choice_reason_;
+  Conditions<D> conditions_;
+  Loads<D> loads_;
+  KnownMotion<D> known_;
+  std::shared_ptr<SceneView> view_;
+
+  Particles<D> particles_;
+  Plan<D> plan_;
+  GridState<D> grid_;
+  LastGrid last_grid_;
+  std::vector<Vec<D>> kept_x_, kept_v_;
+  std::vector<Mat<D>> kept_F_, kept_C_;
+  std::vector<std::uint32_t> probe_ids_;
+
+  double time_ = 0, end_ = 0;
+  double dt_limit_ = 0;  ///< after a retry: at most this, doubled with each accepted step
+  long step_ = 0;
+  StepReport accepted_, returned_;
+  Work work_;
+
+  Held held_;
+  std::optional<Grab> grab_;
+  double grab_stiffness_ = 0;
+};
+
+}  // namespace pf

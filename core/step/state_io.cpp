@@ -1,0 +1,102 @@
+// The complete state as bytes: a run that goes on from it gives the same bits.
+#include <istream>
+#include <ostream>
+
+#include "core/scene/scene_io.hpp"
+#include "core/step/simulation_of.hpp"
+
+namespace pf {
+
+namespace {
+
+constexpr std::uint64_t magic = 0x3130657461745350;  // "PState01"
+
+template <class T>
+void put(std::ostream& out, const T& value) {
+  out.write(reinterpret_cast<const char*>(&value), sizeof value);
+}
+template <class T>
+void put(std::ostream& out, const std::vector<T>& values) {
+  put(out, static_cast<std::uint64_t>(values.size()));
+  out.write(reinterpret_cast<const char*>(values.data()), static_cast<std::streamsize>(values.size() * sizeof(T)));
+}
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw InputError("checkpoint", {{"", what, "the complete state of a run of this scene", 0}});
+}
+
+template <class T>
+void get(std::istream& in, T& value) {
+  if (!in.read(reinterpret_cast<char*>(&value), sizeof value)) refuse("a state that ends too early");
+}
+template <class T>
+void get(std::istream& in, std::vector<T>& values, std::size_t expected) {
+  std::uint64_t n = 0;
+  get(in, n);
+  if (n != expected) refuse("a state of another size");
+  values.resize(expected);
+  if (!in.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(expected * sizeof(T))))
+    refuse("a state that ends too early");
+}
+
+}  // namespace
+
+template <int D>
+void SimulationOf<D>::save_state(std::ostream& out) const {
+  put(out, magic);
+  put(out, static_cast<std::uint64_t>(D));
+  put(out, static_cast<std::uint64_t>(particles_.size()));
+  put(out, time_);
+  put(out, dt_limit_);
+  put(out, static_cast<std::int64_t>(accepted_.step));
+  // What "auto" has counted so far decides what it does next.
+  put(out, static_cast<std::int64_t>(accepted_.newton.size()));
+  put(out, static_cast<std::int64_t>(accepted_.linear_iterations));
+  put(out, static_cast<std::int64_t>(chosen_solver_ == "direct"));
+  particles_.each([&](const auto& values) { put(out, values); });
+  put(out, conditions_.displacement());
+  put(out, loads_.surface().x);
+}
+
+template <int D>
+void SimulationOf<D>::load_state(std::istream& in) {
+  std::uint64_t mark = 0, dimension = 0, count = 0;
+  get(in, mark);
+  if (mark != magic) refuse("something else than a saved state, or one of another version");
+  get(in, dimension);
+  get(in, count);
+  if (dimension != D || count != particles_.size()) refuse("the state of another scene");
+  Particles<D> loaded;
+  double time = 0, dt_limit = 0;
+  std::int64_t step = 0, solves = 0, linear = 0, direct = 0;
+  get(in, time);
+  get(in, dt_limit);
+  get(in, step);
+  get(in, solves);
+  get(in, linear);
+  get(in, direct);
+  loaded.each([&](auto& values) { get(in, values, particles_.size()); });
+  std::vector<Vec<D>> displacement, surface;
+  get(in, displacement, conditions_.displacement().size());
+  get(in, surface, loads_.surface().x.size());
+  particles_ = std::move(loaded);
+  conditions_.displacement() = std::move(displacement);
+  loads_.surface().x = std::move(surface);
+  time_ = time;
+  dt_limit_ = dt_limit;
+  build_plan_or_throw();
+  accepted_ = {};
+  accepted_.step = step;
+  fill_diagnostics(accepted_);
+  accepted_.active_nodes = plan_.node_count();
+  accepted_.newton.resize(static_cast<std::size_t>(solves));
+  accepted_.linear_iterations = static_cast<int>(linear);
+  if (direct != 0) chosen_solver_ = "direct";
+}
+
+template void SimulationOf<2>::save_state(std::ostream&) const;
+template void SimulationOf<3>::save_state(std::ostream&) const;
+template void SimulationOf<2>::load_state(std::istream&);
+template void SimulationOf<3>::load_state(std::istream&);
+
+}  // namespace pf

@@ -1,0 +1,250 @@
+// One step: particles -> grid -> minimise -> particles (THEORY T3 to T5), and what happens when it does not work out.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "core/step/balance.hpp"
+#include "core/step/simulation_of.hpp"
+
+namespace pf {
+
+namespace {
+
+/// Adds the time since the last lap to a phase.
+class Lap {
+ public:
+  void operator()(double& phase) {
+    const auto now = std::chrono::steady_clock::now();
+    phase += std::chrono::duration<double, std::milli>(now - last_).count();
+    last_ = now;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+std::string number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", x);
+  return text;
+}
+
+/// Halvings of dt before a step is given up.
+constexpr int most_retries = 12;
+/// A particle that crosses this many cells in one step has run away.
+constexpr double runaway_cells = 1000;
+
+}  // namespace
+
+template <int D>
+double SimulationOf<D>::next_dt() const {
+  // t_n = n step; the last one is shortened to land on the end.
+  const double step = scene_.time.step;
+  double target = (std::floor(time_ / step + 1e-9) + 1) * step;
+  target = std::min(target, end_);
+  return std::min(target - time_, dt_limit_);
+}
+
+template <int D>
+const StepReport& SimulationOf<D>::step(const std::atomic<bool>* cancel) {
+  const auto begin = std::chrono::steady_clock::now();
+  returned_ = {};
+  returned_.step = accepted_.step;
+  returned_.time = time_;
+  if (time_ >= end_ - 1e-9 * scene_.time.step) {
+    returned_.status = StepStatus::finished;
+    return returned_;
+  }
+  keep_state();
+  double dt = next_dt();
+  for (int retry = 0;; ++retry) {
+    StepReport report;
+    report.retries = retry;
+    report.warnings = returned_.warnings;
+    const Attempt attempt = this->attempt(dt, cancel, report);
+    if (attempt.outcome == Attempt::accepted) {
+      dt_limit_ = retry > 0 ? dt : std::min(2 * dt_limit_, scene_.time.step);
+      report.ms.total = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+      accepted_ = std::move(report);
+      return accepted_;
+    }
+    restore_state();
+    if (attempt.outcome == Attempt::cancelled) {
+      returned_.status = StepStatus::cancelled;
+      return returned_;
+    }
+    if (retry == most_retries) {
+      returned_.status = StepStatus::failed;
+      returned_.retries = retry;
+      returned_.failure = attempt.reason + " Even a time step of " + number(dt) +
+                          " s did not help. What may help: a smaller /time/step from the start, more particles a cell, a "
+                          "finer grid, a less extreme material or load.";
+      return returned_;
+    }
+    returned_.warnings.push_back("Step " + std::to_string(accepted_.step + 1) + " at t = " + number(time_) + " s: " +
+                                 attempt.reason + " Retried with dt = " + number(dt / 2) + " s.");
+    dt /= 2;
+  }
+}
+
+template <int D>
+void SimulationOf<D>::grid_velocity(StepReport& report) {
+  particles_to_grid(plan_, particles_, transfer_->affine(), parallel_, grid_);
+  lumped_velocity(plan_, particles_, grid_);
+  if (scene_.transfer.velocity_mass == "consistent") {
+    const MassMatrix<D> M(plan_, particles_, grid_.mass, true, parallel_, work_);
+    double residual = 0;
+    M.solve(grid_.momentum, grid_.v, residual);
+    if (residual > 1e-8)
+      report.warnings.push_back("The consistent velocity transfer left a relative residual of " + number(residual) + ".");
+  }
+  work_.p2g += particles_.size();
+}
+
+template <int D>
+void SimulationOf<D>::choose_solver() {
+  std::string name = scene_.solver.linear;
+  choice_reason_.clear();
+  if (name == "auto") {
+    // Counted, never timed: a 2D factorisation costs about as much as 150 Hessian products.
+    const auto solves = static_cast<int>(accepted_.newton.size()) - 1;
+    const int each = solves > 0 ? accepted_.linear_iterations / solves : 0;
+    const bool stay = chosen_solver_ == "direct";
+    name = D == 2 && plan_.node_count() < 30000 && (stay || each > 150) ? "direct" : "pcg_jacobi";
+    if (name == "direct")
+      choice_reason_ = "conjugate gradients took more than 150 iterations a solve";
+    else
+      choice_reason_ = "few iterations a solve";
+  }
+  if (grab_ && name == "direct") {
+    name = "pcg_jacobi";
+    choice_reason_ = "the mouse's spring couples nodes beyond the direct solver's pattern";
+  }
+  if (!linear_ || linear_->name() != name) linear_ = make_linear_solver<D>(name, parallel_);
+  chosen_solver_ = name;
+}
+
+template <int D>
+typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(double dt, const std::atomic<bool>* cancel, StepReport& report) {
+  Lap lap;
+  work_ = {};
+  const double stage = time_ + integrator_->stage() * dt;
+  grid_velocity(report);
+  lap(report.ms.transfer);
+  const FeasibleSet<D> set = conditions_.at(plan_, time_, dt);
+  Vector force = loads_.force(plan_, particles_, grid_.mass, stage, parallel_);
+  if (known_.manufactured()) known_.add_force(plan_, particles_, stage, parallel_, force);
+  const MassMatrix<D> M(plan_, particles_, grid_.mass, scene_.integrator.mass == "consistent", parallel_, work_);
+  ElasticEnergy<D> elastic(plan_, particles_, laws_, parallel_, work_);
+  std::optional<GrabSpring<D>> spring;
+  if (grab_) spring.emplace(plan_, particles_, held_, Vec<D>(grab_->to.head<D>()), grab_stiffness_);
+  choose_solver();
+  linear_->new_step();
+  lap(report.ms.assemble);
+  const NewtonSettings newton{scene_.solver.newton_tolerance, scene_.solver.max_newton};
+  const NewtonResult solved = integrator_->advance({plan_, M, elastic, spring ? &*spring : nullptr, set, force, dt, newton,
+                                                    *linear_, parallel_, cancel, grid_});
+  lap(report.ms.linear_solve);
+  if (solved.status == NewtonStatus::cancelled) return {Attempt::cancelled, ""};
+  // Angular momentum by cause: what the two transfers change, and what the step on the grid does (THEORY T6).
+  Vector momentum;
+  M.multiply(grid_.v, momentum);
+  const Vec3 L_before = grid_angular_momentum(plan_, Vector::Zero(grid_.u.size()), momentum);
+  M.multiply(grid_.v_end, momentum);
+  const Vec3 L_after = grid_angular_momentum(plan_, grid_.u, momentum);
+  report.grab_force = spring ? spring->force(grid_.u).norm() : 0;
+  lap(report.ms.diagnostics);
+
+  const Attempt verdict = judge(solved, dt, report);
+  if (verdict.outcome != Attempt::accepted) return verdict;
+  lap(report.ms.update);
+  loads_.move(plan_, grid_.u);
+  conditions_.advance(time_, dt);
+  time_ += dt;
+  const double nearest = std::round(time_ / scene_.time.step) * scene_.time.step;
+  if (std::abs(time_ - nearest) < 1e-9 * scene_.time.step) time_ = nearest;
+  if (std::abs(time_ - end_) < 1e-9 * scene_.time.step) time_ = end_;
+  report.dt = dt;
+  report.step = accepted_.step + 1;
+  report.newton = solved.iterations;
+  report.residual = solved.residual;
+  report.linear_iterations = solved.linear_iterations;
+  report.active_nodes = plan_.node_count();
+  keep_grid(set);
+  plan_.build(particles_, *find_basis(scene_.grid.basis), scene_.grid.spacing, parallel_);
+  lap(report.ms.sort);
+  fill_diagnostics(report);
+  report.angular.time_integration = L_after - L_before;
+  report.angular.transfer =
+      (L_before - accepted_.balance.angular_momentum) + (report.balance.angular_momentum - L_after);
+  report.work = work_;
+  lap(report.ms.diagnostics);
+  return {};
+}
+
+template <int D>
+typename SimulationOf<D>::Attempt SimulationOf<D>::judge(const NewtonResult& newton, double dt, StepReport& report) {
+  if (newton.status != NewtonStatus::converged) {
+    const std::string at = " (residual " + number(newton.residual) + ", tolerance " +
+                           number(scene_.solver.newton_tolerance) + ").";
+    switch (newton.status) {
+      case NewtonStatus::not_converged:
+        return {Attempt::failed, "Newton's method did not converge within " + std::to_string(scene_.solver.max_newton) +
+                                     " iterations" + at};
+      case NewtonStatus::infeasible_start:
+        return {Attempt::failed, "A prescribed displacement turns material inside out within one step."};
+      case NewtonStatus::not_finite:
+        return {Attempt::failed, "The residual is not a finite number."};
+      default:
+        return {Attempt::failed, "The line search found no lower energy" + at};
+    }
+  }
+  if (!grid_.u.allFinite() || !grid_.v_end.allFinite()) return {Attempt::failed, "The grid's motion is not finite."};
+  transfer_->grid_to_particles(plan_, grid_, particles_, parallel_);
+  move_particles(plan_, grid_.u, parallel_, particles_);
+  work_.g2p += particles_.size();
+  const StateCheck check = check_state(particles_);
+  const std::string who = "Particle " + std::to_string(check.worst);
+  if (!check.finite) return {Attempt::failed, who + " has a value that is not finite."};
+  if (!(check.min_J > 0))
+    return {Attempt::failed, who + " was turned inside out (J = " + number(check.min_J) + ")."};
+  report.cfl = check.max_speed * dt / scene_.grid.spacing;
+  if (report.cfl > runaway_cells)
+    return {Attempt::failed, "A particle runs away: " + number(check.max_speed) + " m/s, " + number(report.cfl) +
+                                 " cells in one step."};
+  if (!plan_.can_index(particles_)) return {Attempt::failed, "Particles are too far apart for a grid to be laid."};
+  return {};
+}
+
+template <int D>
+void SimulationOf<D>::keep_state() {
+  kept_x_ = particles_.x;
+  kept_v_ = particles_.v;
+  kept_F_ = particles_.F;
+  kept_C_ = particles_.C;
+}
+
+template <int D>
+void SimulationOf<D>::restore_state() {
+  particles_.x = kept_x_;
+  particles_.v = kept_v_;
+  particles_.F = kept_F_;
+  particles_.C = kept_C_;
+}
+
+template <int D>
+void SimulationOf<D>::fill_diagnostics(StepReport& report) const {
+  report.time = time_;
+  report.balance = particle_balance<D>(particles_, laws_, plan_, transfer_->affine(), loads_.gravity());
+  const StateCheck check = check_state(particles_);
+  report.min_J = check.min_J;
+  report.max_J = check.max_J;
+  if (report.step == 0) report.active_nodes = plan_.node_count();
+  if (known_.known()) report.error = known_.errors(particles_, time_);
+}
+
+template class SimulationOf<2>;
+template class SimulationOf<3>;
+
+}  // namespace pf

@@ -1,0 +1,16 @@
+// APIC (Jiang et al. 2015; THEORY T5): particles carry an affine velocity, so that a lumped transfer keeps angular momentum.
+#pragma once
+
+#include "core/transfers/transfer.hpp"
+
+namespace pf {
+
+template <int D>
+class ApicTransfer final : public Transfer<D> {
+ public:
+  bool affine() const override { return true; }
+  void grid_to_particles(const Plan<D>& plan, const GridState<D>& grid, Particles<D>& particles,
+                         Parallel& parallel) const override;
+};
+
+}  // namespace pf

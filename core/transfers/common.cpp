@@ -1,0 +1,215 @@
+// What all transfers share.
+#include <cmath>
+
+#include "core/grid/stencil.hpp"
+#include "core/transfers/transfer.hpp"
+
+namespace pf {
+
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// N (x_i - x_p) of each axis, the weights that carry an affine velocity; a lane a particle.
+template <int D, int K>
+void moment_weights(const Plan<D>& plan, const Particles<D>& particles, const Block<D>& block, const Batch& batch,
+                    const Wide<lane_count<D>>* w, Wide<lane_count<D>>* moments) {
+  const int edge = block_edge + K - 1;
+  int node = batch.node;
+  for (int a = 0; a < D; ++a) {
+    const double first = static_cast<double>(block.corner[static_cast<std::size_t>(a)] + node % edge) * plan.spacing();
+    node /= edge;
+    for (int r = 0; r < K; ++r) {
+      Wide<lane_count<D>> distance{};
+      for (int lane = 0; lane < batch.count; ++lane)
+        distance[lane] = first + r * plan.spacing() - particles.x[at(batch.first + lane)][a];
+      moments[a * K + r] = w[a * K + r] * distance;
+    }
+  }
+}
+
+}  // namespace
+
+template <int D>
+void particles_to_grid(const Plan<D>& plan, const Particles<D>& particles, bool affine, Parallel& parallel,
+                       GridState<D>& grid) {
+  constexpr int C = D + 1;  // momentum and mass travel together
+  Vector sums = Vector::Zero(static_cast<Eigen::Index>(plan.node_count()) * C);
+  with_nodes_per_axis(plan, [&](auto k) {
+    constexpr int K = k;
+    using S = Stencil<D, K, C>;
+    for_each_block_coloured(plan, parallel, [&](const Block<D>& block, int) {
+      double local[S::nodes * C] = {};
+      for (int i = block.batch_begin; i < block.batch_end; ++i) {
+        const Batch& batch = plan.batches()[at(i)];
+        const Wide<lane_count<D>>* w = plan.weights(i);
+        Wide<lane_count<D>> value[C] = {}, flux[C][D] = {};
+        for (int lane = 0; lane < batch.count; ++lane) {
+          const std::size_t p = at(batch.first + lane);
+          const double m = particles.mass[p];
+          for (int a = 0; a < D; ++a) {
+            value[a][lane] = m * particles.v[p][a];
+            if (affine)
+              for (int b = 0; b < D; ++b) flux[a][b][lane] = m * particles.C[p](a, b);
+          }
+          value[D][lane] = m;
+        }
+        if (affine) {
+          Wide<lane_count<D>> moments[D * K];
+          moment_weights<D, K>(plan, particles, block, batch, w, moments);
+          S::template scatter<true, true>(value, flux, w, moments, local + batch.node * C);
+        } else {
+          S::template scatter<true, false>(value, nullptr, w, w, local + batch.node * C);
+        }
+      }
+      add_block<D, K, C>(plan, block, local, sums.data());
+    });
+  });
+  const Eigen::Index n = plan.node_count();
+  grid.mass.resize(n);
+  grid.momentum.resize(n * D);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    grid.momentum.template segment<D>(i * D) = sums.segment<D>(i * C);
+    grid.mass[i] = sums[i * C + D];
+  }
+}
+
+namespace {
+
+/// Nodes whose mass is rounding: their velocity is the mean of the particles of the cells that touch them.
+template <int D>
+void fill_massless(const Plan<D>& plan, const Particles<D>& particles, const std::vector<char>& massless, Vector& v) {
+  const int K = plan.nodes_per_axis(), edge = block_edge + K - 1;
+  std::vector<int> count(massless.size(), 0);
+  for (const Block<D>& block : plan.blocks())
+    for (int i = block.batch_begin; i < block.batch_end; ++i) {
+      const Batch& batch = plan.batches()[at(i)];
+      for (int n = 0; n < (D == 2 ? K * K : K * K * K); ++n) {
+        const std::int32_t node = plan.node_table(block)[batch.node + n % K + edge * (n / K % K + edge * (n / (K * K)))];
+        if (!massless[at(node)]) continue;
+        for (int lane = 0; lane < batch.count; ++lane) {
+          v.segment<D>(node * D) += particles.v[at(batch.first + lane)];
+          ++count[at(node)];
+        }
+      }
+    }
+  for (std::size_t i = 0; i < count.size(); ++i)
+    if (count[i] > 0) v.segment<D>(static_cast<Eigen::Index>(i) * D) /= count[i];
+}
+
+}  // namespace
+
+template <int D>
+void lumped_velocity(const Plan<D>& plan, const Particles<D>& particles, GridState<D>& grid) {
+  const Eigen::Index n = grid.mass.size();
+  grid.v.resize(n * D);
+  const double rounding = 1e-14 * grid.mass.maxCoeff();
+  std::vector<char> massless(static_cast<std::size_t>(n), 0);
+  bool any = false;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (grid.mass[i] > rounding) {
+      grid.v.template segment<D>(i * D) = grid.momentum.template segment<D>(i * D) / grid.mass[i];
+    } else {
+      grid.v.template segment<D>(i * D).setZero();
+      massless[static_cast<std::size_t>(i)] = 1;
+      any = true;
+    }
+  }
+  if (any) fill_massless(plan, particles, massless, grid.v);
+}
+
+template <int D>
+void gather_field(const Plan<D>& plan, const Vector& field, Parallel& parallel, std::vector<Vec<D>>& values) {
+  with_nodes_per_axis(plan, [&](auto k) {
+    constexpr int K = k;
+    using S = Stencil<D, K, D>;
+    for_each_block(plan, parallel, [&](const Block<D>& block, int) {
+      double local[S::nodes * D];
+      load_block<D, K, D>(plan, block, field.data(), local);
+      for (int i = block.batch_begin; i < block.batch_end; ++i) {
+        const Batch& batch = plan.batches()[at(i)];
+        const Wide<lane_count<D>>* w = plan.weights(i);
+        Wide<lane_count<D>> value[D];
+        S::template gather<true, false>(local + batch.node * D, w, w, value, nullptr);
+        for (int lane = 0; lane < batch.count; ++lane)
+          for (int a = 0; a < D; ++a) values[at(batch.first + lane)][a] = value[a][lane];
+      }
+    });
+  });
+}
+
+template <int D>
+void scatter_field(const Plan<D>& plan, const std::vector<Vec<D>>& values, Parallel& parallel, Vector& field) {
+  with_nodes_per_axis(plan, [&](auto k) {
+    constexpr int K = k;
+    using S = Stencil<D, K, D>;
+    for_each_block_coloured(plan, parallel, [&](const Block<D>& block, int) {
+      double local[S::nodes * D] = {};
+      for (int i = block.batch_begin; i < block.batch_end; ++i) {
+        const Batch& batch = plan.batches()[at(i)];
+        const Wide<lane_count<D>>* w = plan.weights(i);
+        Wide<lane_count<D>> value[D] = {};
+        for (int lane = 0; lane < batch.count; ++lane)
+          for (int a = 0; a < D; ++a) value[a][lane] = values[at(batch.first + lane)][a];
+        S::template scatter<true, false>(value, nullptr, w, w, local + batch.node * D);
+      }
+      add_block<D, K, D>(plan, block, local, field.data());
+    });
+  });
+}
+
+template <int D>
+void move_particles(const Plan<D>& plan, const Vector& u, Parallel& parallel, Particles<D>& particles) {
+  with_nodes_per_axis(plan, [&](auto k) {
+    constexpr int K = k;
+    using S = Stencil<D, K, D>;
+    for_each_block(plan, parallel, [&](const Block<D>& block, int) {
+      double local[S::nodes * D];
+      load_block<D, K, D>(plan, block, u.data(), local);
+      for (int i = block.batch_begin; i < block.batch_end; ++i) {
+        const Batch& batch = plan.batches()[at(i)];
+        const Wide<lane_count<D>>* w = plan.weights(i);
+        Wide<lane_count<D>> value[D], gradient[D][D];
+        S::template gather<true, true>(local + batch.node * D, w, w + D * K, value, gradient);
+        for (int lane = 0; lane < batch.count; ++lane) {
+          const std::size_t p = at(batch.first + lane);
+          Mat<D> F_hat = Mat<D>::Identity();
+          for (int a = 0; a < D; ++a) {
+            particles.x[p][a] += value[a][lane];
+            for (int b = 0; b < D; ++b) F_hat(a, b) += gradient[a][b][lane];
+          }
+          particles.F[p] = (F_hat * particles.F[p]).eval();
+        }
+      }
+    });
+  });
+}
+
+template <int D>
+Vec<D> affine_inertia(const BasisInfo& basis, double spacing, const Vec<D>& x) {
+  Vec<D> inertia = Vec<D>::Zero();
+  for (int a = 0; a < D; ++a) {
+    double N[max_nodes_per_axis], dN[max_nodes_per_axis];
+    long long base = 0;
+    const double s = x[a] / spacing;
+    basis.weights(s, base, N, dN);
+    for (int r = 0; r < basis.nodes_per_axis; ++r) {
+      const double distance = static_cast<double>(base + r) - s;
+      inertia[a] += N[r] * distance * distance;
+    }
+  }
+  return inertia * spacing * spacing;
+}
+
+#define PF_INSTANTIATE(D)                                                                                                  \
+  template void particles_to_grid<D>(const Plan<D>&, const Particles<D>&, bool, Parallel&, GridState<D>&);                 \
+  template void lumped_velocity<D>(const Plan<D>&, const Particles<D>&, GridState<D>&);                                    \
+  template void gather_field<D>(const Plan<D>&, const Vector&, Parallel&, std::vector<Vec<D>>&);                           \
+  template void scatter_field<D>(const Plan<D>&, const std::vector<Vec<D>>&, Parallel&, Vector&);                         \
+  template void move_particles<D>(const Plan<D>&, const Vector&, Parallel&, Particles<D>&);                                \
+  template Vec<D> affine_inertia<D>(const BasisInfo&, double, const Vec<D>&);
+PF_INSTANTIATE(2)
+PF_INSTANTIATE(3)
+#undef PF_INSTANTIATE
+
+}  // namespace pf

@@ -1,0 +1,62 @@
+// Particles <-> grid (THEORY T3, T5). The position and F updates are the same for all; a transfer decides what the grid's
+// velocity does to the particles' and back.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "core/grid/mass.hpp"
+#include "core/grid/plan.hpp"
+
+namespace pf {
+
+/// What the grid carries during a step; D components a node where it is a vector.
+template <int D>
+struct GridState {
+  Vector mass;      ///< m_i, one a node [kg]
+  Vector momentum;  ///< sum_p m_p N_i (v_p + ...) [kg m/s]
+  Vector v;         ///< v_i^n [m/s]
+  Vector u;         ///< x^_i - x_i [m]
+  Vector v_end;     ///< v_i^{n+1} [m/s]
+};
+
+template <int D>
+class Transfer {
+ public:
+  virtual ~Transfer() = default;
+  /// True: particles carry an affine velocity C, which takes part in P2G and in the balances.
+  virtual bool affine() const = 0;
+  /// The particles' velocities (and C) after the step; runs before positions move.
+  virtual void grid_to_particles(const Plan<D>& plan, const GridState<D>& grid, Particles<D>& particles,
+                                 Parallel& parallel) const = 0;
+};
+
+/// m_i and momentum; nodes that receive no mass get the mean velocity of the particles around them in `v` later.
+template <int D>
+void particles_to_grid(const Plan<D>& plan, const Particles<D>& particles, bool affine, Parallel& parallel, GridState<D>& grid);
+/// v_i = momentum / m_i; where m_i is nothing but rounding, the mean of the particles that the node's gradient sees.
+template <int D>
+void lumped_velocity(const Plan<D>& plan, const Particles<D>& particles, GridState<D>& grid);
+/// values_p = sum_j N_j(x_p) field_j.
+template <int D>
+void gather_field(const Plan<D>& plan, const Vector& field, Parallel& parallel, std::vector<Vec<D>>& values);
+/// x_p += sum_j u_j N_j, F_p = (I + sum_j u_j (x) grad N_j) F_p (THEORY T5).
+template <int D>
+void move_particles(const Plan<D>& plan, const Vector& u, Parallel& parallel, Particles<D>& particles);
+/// field_i += sum_p N_i(x_p) values_p.
+template <int D>
+void scatter_field(const Plan<D>& plan, const std::vector<Vec<D>>& values, Parallel& parallel, Vector& field);
+/// D_p = sum_j N_j (x_j - x_p)(x)(x_j - x_p) at x: diagonal for a tensor-product basis that reproduces linear fields.
+template <int D>
+Vec<D> affine_inertia(const BasisInfo& basis, double spacing, const Vec<D>& x);
+
+struct TransferInfo {
+  std::string_view name, label, about;
+};
+std::span<const TransferInfo> transfers();
+/// Throws std::invalid_argument for an unknown name.
+template <int D>
+std::unique_ptr<Transfer<D>> make_transfer(std::string_view name, double flip_ratio);
+
+}  // namespace pf

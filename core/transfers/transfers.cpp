@@ -1,0 +1,31 @@
+#include <array>
+#include <stdexcept>
+#include <string>
+
+#include "core/transfers/apic.hpp"
+#include "core/transfers/flip.hpp"
+
+namespace pf {
+
+namespace {
+constexpr std::array<TransferInfo, 3> registry{{
+    {"pic", "PIC", "Velocity from the grid alone: damps motion and rotation; a smaller dt makes it worse."},
+    {"flip", "FLIP and blend", "Particles keep their velocity and add the grid's change; a little PIC calms the noise."},
+    {"apic", "APIC", "Affine velocities: angular momentum is kept and noise stays low. Jiang et al. 2015."},
+}};
+}  // namespace
+
+std::span<const TransferInfo> transfers() { return registry; }
+
+template <int D>
+std::unique_ptr<Transfer<D>> make_transfer(std::string_view name, double flip_ratio) {
+  if (name == "pic") return std::make_unique<FlipTransfer<D>>(0);
+  if (name == "flip") return std::make_unique<FlipTransfer<D>>(flip_ratio);
+  if (name == "apic") return std::make_unique<ApicTransfer<D>>();
+  throw std::invalid_argument("unknown transfer " + std::string(name));
+}
+
+template std::unique_ptr<Transfer<2>> make_transfer<2>(std::string_view, double);
+template std::unique_ptr<Transfer<3>> make_transfer<3>(std::string_view, double);
+
+}  // namespace pf
