@@ -12,7 +12,9 @@ bool free_of_texts(const Box& box, const ChartLayout& layout) {
   return std::ranges::none_of(layout.texts, [&](const PlacedText& text) { return text.box.overlaps(box); });
 }
 
-void place_reference(const ReferenceLine& line, const ChartTheme& theme, const Painter& painter, ChartLayout& layout) {
+/// Beside the line, at the place along it and the side where the note hides least, the line's end preferred.
+void place_reference(const ReferenceLine& line, const std::vector<Point2>& data, const ChartTheme& theme,
+                     const Painter& painter, ChartLayout& layout) {
   if (line.label.empty()) return;
   const AxisMap& map =
       line.vertical ? layout.x.map : (line.right_axis && layout.right ? layout.right->map : layout.y.map);
@@ -21,26 +23,32 @@ void place_reference(const ReferenceLine& line, const ChartTheme& theme, const P
   const double low = line.vertical ? plot.min.x : plot.min.y, high = line.vertical ? plot.max.x : plot.max.y;
   if (!(pixel >= low - 0.5 && pixel <= high + 0.5)) return;
   const float at = static_cast<float>(pixel), em = theme.font_size, away = 0.35f * em;
-  PlacedText note{.text = line.label, .size = 0.92f * em, .role = TextRole::muted};
-  note.text =
-      shortened(note.text, line.vertical ? plot.height() - em : plot.width() - em, note.size, note.weight, painter);
-  // Beside the line at its end; where that is taken, at the other side or the other end.
-  for (int attempt = 0; attempt < 4; ++attempt) {
-    const bool far_side = attempt % 2 == 1, far_end = attempt / 2 == 1;
-    if (line.vertical) {
-      note.quarter_turns = 1;
-      note.align = far_end ? TextAlign::left : TextAlign::right;
-      note.at = {far_side ? at + away + 0.8f * note.size : at - away, far_end ? plot.max.y - away : plot.min.y + away};
-    } else {
-      note.align = far_end ? TextAlign::left : TextAlign::right;
-      note.at = {far_end ? plot.min.x + away : plot.max.x - away, far_side ? at + away + 0.8f * note.size : at - away};
-    }
-    const PlacedText placed = placed_text(note, painter);
-    if (plot.contains(placed.box.min) && plot.contains(placed.box.max) && free_of_texts(placed.box, layout)) {
-      layout.texts.push_back(placed);
-      return;
+  PlacedText note{.size = 0.92f * em, .role = TextRole::muted};
+  note.text = shortened(line.label, 0.5f * plot.width(), note.size, note.weight, painter);
+  std::optional<PlacedText> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const float along : {1.0f, 0.0f, 0.75f, 0.25f, 0.5f}) {
+    for (const bool far_side : {false, true}) {
+      const float slack = line.vertical ? plot.height() - 1.5f * em
+                                        : plot.width() - 2 * away - painter.text_width(note.text, note.size);
+      if (line.vertical) {
+        note.align = far_side ? TextAlign::right : TextAlign::left;
+        note.at = {far_side ? at - away : at + away, plot.max.y - 0.5f * em - along * slack};
+      } else {
+        note.at = {plot.min.x + away + along * slack, far_side ? at + away + 0.8f * note.size : at - away};
+      }
+      const PlacedText placed = placed_text(note, painter);
+      if (!plot.contains(placed.box.min) || !plot.contains(placed.box.max) || !free_of_texts(placed.box, layout)) {
+        continue;
+      }
+      const auto hides = [&](Point2 p) { return placed.box.grown(2).contains(p); };
+      const double hidden = static_cast<double>(std::ranges::count_if(data, hides));
+      if (hidden >= least) continue;
+      least = hidden;
+      best = placed;
     }
   }
+  if (best) layout.texts.push_back(*best);
 }
 
 struct TriangleShape {
@@ -84,7 +92,7 @@ bool find_place(const ChartLayout& layout, Point2 size, bool falling, float em, 
         const auto [top, bottom] = std::minmax({other.corners[0].y, other.corners[2].y});
         return box.grown(1.4f * em).overlaps({{left, top}, {right, bottom}});
       };
-      if (room.contains(box.min) && room.contains(box.max) && free_of_texts(box, layout) &&
+      if (room.contains(box.min) && room.contains(box.max) && free_of_texts(box.grown(1.35f * em), layout) &&
           std::ranges::none_of(layout.triangles, taken)) {
         return true;
       }
@@ -108,8 +116,8 @@ void place_triangle(const Chart& chart, const SlopeTriangle& wanted, const Chart
     shape.second = point(*wanted.x * ratio, wanted.slope > 0 ? *wanted.y * rise : *wanted.y);
     shape.corner = wanted.slope > 0 ? Point2{shape.second.x, shape.first.y} : Point2{shape.first.x, shape.second.y};
   } else {
-    const double decade_x = (x.to - x.from) * std::log(10) / std::log(x.max / x.min);
-    const double decade_y = (y.from - y.to) * std::log(10) / std::log(y.max / y.min);
+    const double decade_x = (x.to - x.from) * std::log(10) / (std::log(x.max) - std::log(x.min));
+    const double decade_y = (y.from - y.to) * std::log(10) / (std::log(y.max) - std::log(y.min));
     const Point2 size{static_cast<float>(wanted.decades * decade_x),
                       static_cast<float>(wanted.decades * std::abs(wanted.slope) * decade_y)};
     if (!find_place(layout, size, wanted.slope < 0, em, shape)) return;
@@ -136,7 +144,8 @@ void place_triangle(const Chart& chart, const SlopeTriangle& wanted, const Chart
 }  // namespace
 
 void place_annotations(const Chart& chart, const ChartTheme& theme, const Painter& painter, ChartLayout& layout) {
-  for (const ReferenceLine& line : chart.references) place_reference(line, theme, painter, layout);
+  const std::vector<Point2> data = chart.references.empty() ? std::vector<Point2>{} : occupied(layout);
+  for (const ReferenceLine& line : chart.references) place_reference(line, data, theme, painter, layout);
   for (const SlopeTriangle& triangle : chart.triangles) place_triangle(chart, triangle, theme, painter, layout);
 }
 

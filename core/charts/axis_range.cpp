@@ -10,12 +10,13 @@ namespace pf {
 double AxisMap::place(double value) const {
   if (scale == AxisScale::linear) return from + (value - min) / (max - min) * (to - from);
   if (!(value > 0)) return std::numeric_limits<double>::quiet_NaN();
-  return from + std::log(value / min) / std::log(max / min) * (to - from);
+  return from + (std::log(value) - std::log(min)) / (std::log(max) - std::log(min)) * (to - from);
 }
 
 double AxisMap::value(double pixel) const {
   const double t = (pixel - from) / (to - from);
-  return scale == AxisScale::linear ? min + t * (max - min) : min * std::pow(max / min, t);
+  if (scale == AxisScale::linear) return min + t * (max - min);
+  return std::exp(std::log(min) + t * (std::log(max) - std::log(min)));
 }
 
 namespace placing {
@@ -68,9 +69,9 @@ Extent data_extent(const Chart& chart, Side side) {
   return extent;
 }
 
-/// Lines over time begin at the frame; marks and curves in y keep clear of it; cells fill it.
+/// Lines over time begin at the frame; marks and curves in y keep clear of it; cells fill it, but bars do not.
 double margin_of(const Chart& chart, Side side) {
-  if (!chart.cells.empty()) return 0;
+  if (!chart.cells.empty()) return axis_at(chart, side).include_zero ? 0.05 : 0;
   const bool marks = std::ranges::any_of(chart.series, [](const Series& s) { return s.style != SeriesStyle::line; });
   return side == Side::bottom && !marks ? 0 : 0.05;
 }

@@ -88,7 +88,7 @@ struct ColorBar {
   Axis axis = {};  ///< min and max must be set
 };
 
-enum class LegendPlace { automatic, none, top_left, top_right, bottom_left, bottom_right, outside_right, below };
+enum class LegendPlace { automatic, none, top_left, top_right, bottom_left, bottom_right, outside_right, above, below };
 
 struct Chart {
   std::string title = {}, subtitle = {};

@@ -42,7 +42,7 @@ class Drawing {
   void all() {
     if (theme_.surface.a > 0) painter_.rectangle(layout_.outer.min, layout_.outer.max, theme_.surface);
     painter_.push_clip(plot_.min, plot_.max);
-    if (chart_.cells.empty()) grid();
+    grid();
     for (const Cell& c : chart_.cells) cell(c);
     for (std::size_t k = 0; k < chart_.bands.size(); ++k) band(k);
     for (const ReferenceLine& line : chart_.references) reference(line);
@@ -244,13 +244,18 @@ class Drawing {
     const std::vector<PointId> front = pareto_front(chart_);
     std::vector<Point2> steps;
     for (const PointId id : front) {
-      const Point2 p = layout_.place(chart_, id);
+      // Beyond the plot only the direction counts.
+      Point2 p = layout_.place(chart_, id);
+      p = {std::clamp(p.x, plot_.min.x - 99, plot_.max.x + 99), std::clamp(p.y, plot_.min.y - 99, plot_.max.y + 99)};
       if (!steps.empty()) steps.push_back({p.x, steps.back().y});
       steps.push_back(p);
     }
     if (front.size() > 1) painter_.polyline(steps, theme_.text, 1, 3);
     for (const PointId id : front) {
-      painter_.ring(layout_.place(chart_, id), mark_radius(chart_.series[id.series]) + 2.6f, theme_.text, 1.2f);
+      const Point2 p = layout_.place(chart_, id);
+      if (plot_.grown(0.5f).contains(p)) {
+        painter_.ring(p, mark_radius(chart_.series[id.series]) + 2.6f, theme_.text, 1.2f);
+      }
     }
   }
 
@@ -302,6 +307,8 @@ class Drawing {
       case LegendEntry::Kind::pareto:
         line(left, right, theme_.text, 1, 3);
         return painter_.ring(middle, 0.32f * em_, theme_.text, 1.2f);
+      case LegendEntry::Kind::more:
+        return;
     }
   }
 

@@ -54,24 +54,26 @@ class Arranger {
   }
 
   void reserve_legend(LegendPlace place) {
-    if (place != LegendPlace::outside_right && place != LegendPlace::below) return;
-    const bool right = place == LegendPlace::outside_right;
-    std::vector<LegendEntry> entries =
-        legend_entries(chart_, theme_, right ? 0.4f * free_.width() : free_.width(), painter_);
-    if (entries.empty()) return;
+    const bool right = place == LegendPlace::outside_right, above = place == LegendPlace::above;
+    if (!right && !above && place != LegendPlace::below) return;
+    std::vector<LegendEntry> entries = legend_entries(chart_, theme_, (right ? 0.4f : 1.0f) * free_.width(), painter_);
     const int columns = right ? 1 : legend_columns(entries, free_.width(), theme_);
+    cap_legend(entries, columns * legend_rows((right ? 1.0f : 0.4f) * free_.height(), theme_));
+    if (entries.empty()) return;
     const Point2 size = legend_size(entries, columns, theme_);
-    // Its final corner needs the plot; until then only the room is taken.
-    (right ? free_.max.x : free_.max.y) -= right ? size.x : size.y;
-    place_legend(std::move(entries), {right ? free_.max.x : free_.min.x, right ? free_.min.y : free_.max.y}, columns,
-                 theme_, layout_.legend);
+    // Swatches begin where the titles do.
+    Point2 at{free_.min.x - legend_padding(theme_), free_.min.y};
+    if (right) at.x = free_.max.x -= size.x;
+    if (above) free_.min.y += size.y;
+    if (place == LegendPlace::below) at.y = free_.max.y -= size.y;
+    place_legend(std::move(entries), at, columns, theme_, layout_.legend);
   }
 
   /// Vertical extents first: they fix the vertical axes' labels, whose widths fix the horizontal extents.
   void reserve_axes() {
     Box& plot = layout_.plot;
-    plot.min.y = free_.min.y + 0.5f * em_;
-    plot.max.y = free_.max.y - (has_title(chart_.x) ? 1.75f * em_ : 0) - 1.55f * em_;
+    plot.min.y = std::ceil(free_.min.y + 0.5f * em_);
+    plot.max.y = std::floor(free_.max.y - (has_title(chart_.x) ? 1.75f * em_ : 0) - 1.55f * em_);
     plot.max.y = std::max(plot.max.y, plot.min.y + 1);
     layout_.y = vertical_axis(chart_.y, axis_range(chart_, Side::left));
     plot.min.x = free_.min.x + axis_width(chart_.y, layout_.y);
@@ -85,7 +87,9 @@ class Arranger {
       layout_.right = vertical_axis(*chart_.right, axis_range(chart_, Side::right));
       plot.max.x -= axis_width(*chart_.right, *layout_.right);
     }
-    plot.max.x = std::max(plot.max.x, plot.min.x + 1);
+    // Whole pixels, so that frame, grid and cells meet without a seam.
+    plot.min.x = std::ceil(plot.min.x);
+    plot.max.x = std::max(std::floor(plot.max.x), plot.min.x + 1);
   }
 
   bool has_title(const Axis& axis) const {
@@ -117,7 +121,9 @@ class Arranger {
     if (!axis.ticks.empty()) {
       TickSet set;
       for (const auto& [value, label] : axis.ticks) {
-        if (value >= map.min && value <= map.max) set.major.push_back({value, label});
+        if (!(value >= map.min && value <= map.max)) continue;
+        const float room = &axis == &chart_.x ? free_.width() : 0.35f * free_.width();
+        set.major.push_back({value, shortened(label, room, em_, FontWeight::regular, painter_)});
       }
       return set;
     }
@@ -147,13 +153,13 @@ class Arranger {
       const Tick& last = layout_.x.ticks.major.back();
       const double reach = map.place(last.value) + 0.5 * painter_.text_width(last.label, em_) - right_edge;
       if (reach <= 0 || !plain_right) break;
-      layout_.plot.max.x = std::max(layout_.plot.min.x + 1, layout_.plot.max.x - static_cast<float>(reach));
+      layout_.plot.max.x = std::max(layout_.plot.min.x + 1, std::floor(layout_.plot.max.x - static_cast<float>(reach)));
     }
-    // What still reaches out, or has no neighbour to share with, loses its label.
+    // What still reaches out loses its label.
     for (Tick& tick : layout_.x.ticks.major) {
       const double at = layout_.x.map.place(tick.value), half = 0.5 * painter_.text_width(tick.label, em_);
       const double limit = plain_right ? right_edge : layout_.outer.max.x - 0.2f * em_;
-      if (at - half < left_edge || at + half > limit) tick.label.clear();
+      if (at - half < left_edge - 0.5 || at + half > limit + 0.5) tick.label.clear();
     }
   }
 
@@ -214,12 +220,10 @@ class Arranger {
     }
     if (!has_title(axis)) return;
     const std::string title = axis_title(axis.title, axis.unit, placed.ticks.exponent);
-    const float width = axis_width(axis, placed), room = layout_.outer.height() - 1.0f * em_;
-    const std::string cut = shortened(title, room, em_, FontWeight::regular, painter_);
-    const float half = 0.5f * painter_.text_width(cut, em_), middle = layout_.plot.centre().y;
+    const std::string cut = shortened(title, free_.height(), em_, FontWeight::regular, painter_);
+    const float width = axis_width(axis, placed), half = 0.5f * painter_.text_width(cut, em_);
     const float y =
-        std::clamp(middle, layout_.outer.min.y + 0.4f * em_ + half,
-                   std::max(layout_.outer.min.y + 0.4f * em_ + half, layout_.outer.max.y - 0.4f * em_ - half));
+        std::clamp(layout_.plot.centre().y, free_.min.y + half, std::max(free_.min.y + half, free_.max.y - half));
     add_text({.at = {direction < 0 ? x - width + 0.85f * em_ : x + width - 0.3f * em_, y},
               .text = cut,
               .size = em_,
@@ -279,25 +283,31 @@ Point2 ChartLayout::place(const Chart& chart, PointId point) const {
 ChartLayout lay_out(const Chart& chart, const ChartTheme& theme, Point2 min, Point2 max, const Painter& painter) {
   const auto arrange = [&](LegendPlace place) { return Arranger(chart, theme, {min, max}, painter).arrange(place); };
   const LegendPlace wish = chart.legend;
-  if (wish == LegendPlace::none || wish == LegendPlace::outside_right || wish == LegendPlace::below)
-    return arrange(wish);
+  const bool outside = wish == LegendPlace::outside_right || wish == LegendPlace::above || wish == LegendPlace::below;
+  if (wish == LegendPlace::none || outside) return arrange(wish);
 
   ChartLayout inside = arrange(LegendPlace::none);
-  std::vector<LegendEntry> entries = legend_entries(chart, theme, 0.6f * inside.plot.width(), painter);
+  const float em = theme.font_size;
+  std::vector<LegendEntry> entries = legend_entries(chart, theme, 0.62f * inside.plot.width(), painter);
+  if (wish != LegendPlace::automatic) cap_legend(entries, legend_rows(inside.plot.height() - em, theme));
   if (entries.empty()) return inside;
   const Point2 size = legend_size(entries, 1, theme);
   double covered = 0;
   const Point2 at = corner_of(wish, inside, size, theme, covered);
-  const bool fits = size.x <= 0.62f * inside.plot.width() && size.y <= inside.plot.height() - theme.font_size;
-  const float em = theme.font_size;
-  const bool room_right = max.x - min.x >= 38 * em, room_below = max.y - min.y >= 20 * em;
-  if (wish == LegendPlace::automatic && (room_right || room_below) &&
-      (!fits || covered > 0.01 || !chart.cells.empty())) {
-    return arrange(room_right ? LegendPlace::outside_right : LegendPlace::below);
+  const bool fits = size.x <= 0.65f * inside.plot.width() && size.y <= inside.plot.height() - em;
+  if (wish == LegendPlace::automatic && (!fits || covered > 0 || !chart.cells.empty())) {
+    const float width = max.x - min.x - 1.5f * em, height = max.y - min.y;
+    const auto whole = legend_entries(chart, theme, width, painter);
+    const float rows = legend_size(whole, legend_columns(whole, width, theme), theme).y / height;
+    const bool wide = width >= 38 * em, cells = !chart.cells.empty();
+    if (!(wide && cells) && height >= 12 * em && rows < 0.22f) return arrange(LegendPlace::above);
+    if (wide) return arrange(LegendPlace::outside_right);
   }
   if (!fits) return inside;
   inside.legend.covers_plot = true;
   place_legend(std::move(entries), at, 1, theme, inside.legend);
+  // A note that a wished-for corner hides is better left out than half seen.
+  std::erase_if(inside.texts, [&](const PlacedText& text) { return text.box.overlaps(inside.legend.box); });
   return inside;
 }
 

@@ -41,7 +41,7 @@ enum class TextRole { title, normal, muted, on_light, on_dark };  ///< the last 
 /// A text and the rectangle that it fills.
 struct PlacedText {
   Point2 at = {};  ///< baseline, as Painter::text takes it
-  std::string text;
+  std::string text = {};
   float size = 0;
   TextRole role = TextRole::normal;
   TextAlign align = TextAlign::left;
@@ -61,7 +61,7 @@ struct PlacedTriangle {
 };
 
 struct LegendEntry {
-  enum class Kind { series, band, key, pareto } kind = Kind::series;
+  enum class Kind { series, band, key, pareto, more } kind = Kind::series;
   std::size_t index = 0;
   Box swatch = {};
   PlacedText text = {};

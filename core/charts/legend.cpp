@@ -8,10 +8,14 @@ namespace {
 
 constexpr float row_height = 1.5f, swatch_width = 1.9f, gap = 0.55f, padding = 0.55f, column_gap = 1.4f;  // [em]
 
-float widest_entry(std::span<const LegendEntry> entries, const ChartTheme& theme) {
-  float widest = 0;
-  for (const LegendEntry& entry : entries) widest = std::max(widest, entry.text.box.width());
-  return widest + (swatch_width + gap) * theme.font_size;
+/// Widths of the columns when entries fill row by row.
+std::vector<float> column_widths(std::span<const LegendEntry> entries, int columns, const ChartTheme& theme) {
+  std::vector<float> widths(static_cast<std::size_t>(columns), 0.0f);
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    float& width = widths[k % widths.size()];
+    width = std::max(width, entries[k].text.box.width() + (swatch_width + gap) * theme.font_size);
+  }
+  return widths;
 }
 
 }  // namespace
@@ -35,36 +39,57 @@ std::vector<LegendEntry> legend_entries(const Chart& chart, const ChartTheme& th
   return entries;
 }
 
+float legend_padding(const ChartTheme& theme) {
+  return padding * theme.font_size;
+}
+
+int legend_rows(float height, const ChartTheme& theme) {
+  return std::max(1, static_cast<int>((height / theme.font_size - 1.2f * padding) / row_height));
+}
+
+void cap_legend(std::vector<LegendEntry>& entries, int most) {
+  const auto room = static_cast<std::size_t>(std::max(most, 1));
+  if (entries.size() <= room) return;
+  const std::size_t missing = entries.size() - room + 1;
+  entries.resize(room);
+  entries.back().kind = LegendEntry::Kind::more;
+  entries.back().text.text = "+ " + std::to_string(missing);
+}
+
 int legend_columns(std::span<const LegendEntry> entries, float width, const ChartTheme& theme) {
-  const float em = theme.font_size, column = widest_entry(entries, theme) + column_gap * em;
-  const int most = static_cast<int>((width - (2 * padding - column_gap) * em) / column);
-  return std::clamp(most, 1, std::max(1, static_cast<int>(entries.size())));
+  int columns = std::max(1, static_cast<int>(entries.size()));
+  while (columns > 1 && legend_size(entries, columns, theme).x > width + 2 * padding * theme.font_size) --columns;
+  return columns;
 }
 
 Point2 legend_size(std::span<const LegendEntry> entries, int columns, const ChartTheme& theme) {
-  const float em = theme.font_size, count = static_cast<float>(columns);
+  const float em = theme.font_size;
+  float width = (column_gap * static_cast<float>(columns - 1) + 2 * padding) * em;
+  for (const float column : column_widths(entries, columns, theme)) width += column;
   const int rows = (static_cast<int>(entries.size()) + columns - 1) / columns;
-  return {count * widest_entry(entries, theme) + (count - 1) * column_gap * em + 2 * padding * em,
-          static_cast<float>(rows) * row_height * em + 2 * padding * em * 0.6f};
+  return {width, (static_cast<float>(rows) * row_height + 1.2f * padding) * em};
 }
 
 void place_legend(std::vector<LegendEntry> entries, Point2 at, int columns, const ChartTheme& theme,
                   PlacedLegend& legend) {
-  const float em = theme.font_size, column = widest_entry(entries, theme) + column_gap * em;
+  const float em = theme.font_size;
   const Point2 size = legend_size(entries, columns, theme);
   legend.box = {at, {at.x + size.x, at.y + size.y}};
+  const std::vector<float> widths = column_widths(entries, columns, theme);
+  Point2 corner{at.x + padding * em, at.y + 0.6f * padding * em};
   for (std::size_t k = 0; k < entries.size(); ++k) {
-    const auto row = static_cast<float>(static_cast<int>(k) / columns),
-               place = static_cast<float>(static_cast<int>(k) % columns);
-    const float x = at.x + padding * em + place * column,
-                middle = at.y + (0.6f * padding + (row + 0.5f) * row_height) * em;
     LegendEntry& entry = entries[k];
-    entry.swatch = {{x, middle - 0.45f * em}, {x + swatch_width * em, middle + 0.45f * em}};
+    const float middle = corner.y + 0.5f * row_height * em;
+    entry.swatch = {{corner.x, middle - 0.45f * em}, {corner.x + swatch_width * em, middle + 0.45f * em}};
     const Point2 baseline{entry.swatch.max.x + gap * em, middle + 0.36f * em};
     const Point2 shift{baseline.x - entry.text.at.x, baseline.y - entry.text.at.y};
     entry.text.at = baseline;
     entry.text.box = {{entry.text.box.min.x + shift.x, entry.text.box.min.y + shift.y},
                       {entry.text.box.max.x + shift.x, entry.text.box.max.y + shift.y}};
+    const std::size_t column = k % widths.size();
+    const bool last = column + 1 == widths.size();
+    corner.x = last ? at.x + padding * em : corner.x + widths[column] + column_gap * em;
+    if (last) corner.y += row_height * em;
   }
   legend.entries = std::move(entries);
 }

@@ -28,7 +28,8 @@ class Painter {
   virtual void rectangle(Point2 min, Point2 max, Color fill, float rounding = 0) = 0;
   virtual void circle(Point2 centre, float radius, Color fill) = 0;
   virtual void ring(Point2 centre, float radius, Color color, float width) = 0;
-  /// UTF-8. `at`: baseline-left/centre/right by `align`; `quarter_turns` counter-clockwise.
+  /// UTF-8. `size`: the em in pixels (not ascent to descent, which is 1.36 em). `at`: baseline-left/centre/right by
+  /// `align`; `quarter_turns` counter-clockwise.
   virtual void text(Point2 at, std::string_view text, float size, Color color, TextAlign align = TextAlign::left,
                     FontWeight weight = FontWeight::regular, int quarter_turns = 0) = 0;
   virtual float text_width(std::string_view text, float size, FontWeight weight = FontWeight::regular) const = 0;

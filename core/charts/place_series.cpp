@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/charts/clip_segment.hpp"
 #include "core/charts/placing.hpp"
 
 namespace pf::placing {
@@ -23,17 +24,9 @@ class ClippedLines {
   explicit ClippedLines(const Box& box) : box_(box) {}
 
   void segment(Pixel a, Pixel b) {
-    double t0 = 0, t1 = 1;  // Liang and Barsky
+    double t0 = 0, t1 = 1;
     const double dx = b.x - a.x, dy = b.y - a.y;
-    const auto cut = [&](double p, double q) {
-      if (p == 0) return q >= 0;
-      const double t = q / p;
-      if (p < 0) t0 = std::max(t0, t);
-      if (p > 0) t1 = std::min(t1, t);
-      return t0 <= t1;
-    };
-    const bool visible = cut(-dx, a.x - box_.min.x) && cut(dx, box_.max.x - a.x) && cut(-dy, a.y - box_.min.y) &&
-                         cut(dy, box_.max.y - a.y);
+    const bool visible = clip_segment(a.x, a.y, b.x, b.y, box_.min.x, box_.min.y, box_.max.x, box_.max.y, t0, t1);
     if (!visible) {
       open_ = false;
       return;

@@ -16,7 +16,7 @@ Range axis_range(const Chart& chart, Side side);
 
 /// The text, cut with an ellipsis to at most `width` pixels; "" when not even that fits.
 std::string shortened(const std::string& text, float width, float size, FontWeight weight, const Painter& painter);
-/// Fills in the box. Ascenders reach 0.8 em above the baseline, descenders 0.24 em below.
+/// Fills in the box. Superscripts reach 0.86 em above the baseline, descenders 0.24 em below.
 PlacedText placed_text(PlacedText text, const Painter& painter);
 
 /// Pixels of a series within the plot.
@@ -31,6 +31,11 @@ void place_annotations(const Chart& chart, const ChartTheme& theme, const Painte
 std::vector<LegendEntry> legend_entries(const Chart& chart, const ChartTheme& theme, float widest,
                                         const Painter& painter);
 Point2 legend_size(std::span<const LegendEntry> entries, int columns, const ChartTheme& theme);
+float legend_padding(const ChartTheme& theme);
+/// Rows that fit a height, at least 1.
+int legend_rows(float height, const ChartTheme& theme);
+/// Leaves at most so many entries; the last then says how many are missing.
+void cap_legend(std::vector<LegendEntry>& entries, int most);
 /// Columns that fit a width.
 int legend_columns(std::span<const LegendEntry> entries, float width, const ChartTheme& theme);
 /// Gives the entries their places.

@@ -4,28 +4,36 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/charts/clip_segment.hpp"
 #include "core/charts/font.hpp"
 
 namespace pf {
 namespace {
 
-/// The drawn stretches of a dashed polyline as segments. Round caps lengthen each by `width`, so it is cut shorter.
-std::vector<Point2> dashes(std::span<const Point2> points, float dash, float width) {
+/// The drawn stretches of a dashed polyline as segments, as far as they are seen. Round caps lengthen each by
+/// `width`, so it is cut shorter.
+std::vector<Point2> dashes(std::span<const Point2> points, double dash, double width, const PixelRect& clip) {
   std::vector<Point2> segments;
-  const float on = std::max(dash - width, 0.01f), period = 2 * dash;
-  float travelled = 0.5f * width;
+  const double on = std::max(dash - width, 0.01), period = 2 * dash;
+  double travelled = 0.5 * width;
   for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-    const Point2 a = points[k], b = points[k + 1];
-    const float length = std::hypot(b.x - a.x, b.y - a.y);
-    if (!std::isfinite(length) || length == 0) continue;
-    const auto along = [&](float s) { return Point2{a.x + s / length * (b.x - a.x), a.y + s / length * (b.y - a.y)}; };
-    for (float n = std::floor(travelled / period); n * period < travelled + length; ++n) {
-      const float from = std::max(n * period - travelled, 0.0f), to = std::min(n * period + on - travelled, length);
-      if (to <= from) continue;
-      segments.push_back(along(from));
-      segments.push_back(along(to));
+    const double ax = points[k].x, ay = points[k].y, dx = points[k + 1].x - ax, dy = points[k + 1].y - ay;
+    const double length = std::hypot(dx, dy);
+    if (!(length > 0) || !std::isfinite(length)) continue;
+    double t0 = 0, t1 = 1;
+    if (clip_segment(ax, ay, ax + dx, ay + dy, clip.x0 - width, clip.y0 - width, clip.x1 + width, clip.y1 + width, t0,
+                     t1)) {
+      const auto along = [&](double s) {
+        return Point2{static_cast<float>(ax + s / length * dx), static_cast<float>(ay + s / length * dy)};
+      };
+      const double first = std::floor((travelled + t0 * length) / period), end = (travelled + t1 * length) / period;
+      for (double n = first; n < end; ++n) {
+        const double from = std::max(n * period - travelled, t0 * length),
+                     to = std::min(n * period + on - travelled, t1 * length);
+        if (to > from) segments.insert(segments.end(), {along(from), along(to)});
+      }
     }
-    travelled += length;
+    travelled = std::fmod(travelled + length, period);
   }
   return segments;
 }
@@ -40,7 +48,7 @@ void PngPainter::polyline(std::span<const Point2> points, Color color, float wid
   std::ranges::transform(points, line.begin(), [&](Point2 p) { return scaled(p); });
   std::vector<Point2> segments;
   if (dash > 0) {
-    segments = dashes(line, scale_ * dash, scale_ * width);
+    segments = dashes(line, scale_ * dash, scale_ * width, clips_.back());
   } else {
     for (std::size_t k = 0; k + 1 < line.size(); ++k) segments.insert(segments.end(), {line[k], line[k + 1]});
   }

@@ -27,7 +27,7 @@ std::string shortened(const std::string& text, float width, float size, FontWeig
 PlacedText placed_text(PlacedText text, const Painter& painter) {
   const float width = painter.text_width(text.text, text.size, text.weight);
   const float before = text.align == TextAlign::left ? 0 : text.align == TextAlign::centre ? 0.5f * width : width;
-  Point2 a{-before, -0.8f * text.size}, b{width - before, 0.24f * text.size};
+  Point2 a{-before, -0.86f * text.size}, b{width - before, 0.24f * text.size};
   for (int turn = 0; turn < (text.quarter_turns % 4 + 4) % 4; ++turn) {
     a = {a.y, -a.x};
     b = {b.y, -b.x};

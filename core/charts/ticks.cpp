@@ -44,7 +44,8 @@ TickSet with_step(double min, double max, const Step& step) {
     const int shift = step.decade - set.exponent;
     constexpr double mantissa[] = {1, 2, 5};
     const double scaled = k * mantissa[step.place];
-    set.major.push_back({value, fixed_text(shift < 0 ? scaled / power(-shift) : scaled * power(shift), decimals)});
+    const double shown = shift < 0 ? scaled / power(-shift) : scaled * power(shift);
+    set.major.push_back({value, k == 0 ? "0" : fixed_text(shown, decimals)});
   }
   return set;
 }
@@ -108,9 +109,9 @@ TickSet linear_ticks(double min, double max, int most, const LabelsFit& fit) {
   Step step{static_cast<int>(std::floor(std::log10(rough) - 1e-9)), 0};
   TickSet set;
   for (int attempt = 0; attempt < 12; ++attempt, step = step.next()) {
-    const double count = std::floor(max / step.size()) - std::ceil(min / step.size()) + 1;
-    if (count > most) continue;
+    if ((max - min) / step.size() > 2.0 * most) continue;  // far too many to make
     TickSet next = with_step(min, max, step);
+    if (static_cast<int>(next.major.size()) > most) continue;
     if (next.major.size() < 2 && !set.major.empty()) break;
     set = std::move(next);
     if (fit(set.major)) return set;
@@ -126,8 +127,8 @@ TickSet logarithmic_ticks(double min, double max, int most, const LabelsFit& fit
                 .min = min,
                 .max = max};
   const int count = range.highest - range.lowest + 1;
-  range.plain = range.lowest >= -2 && range.highest <= 3;
   if (count <= 2) {
+    range.plain = range.lowest >= -3 && range.highest <= 4;
     TickSet set = at_one_two_five(range);
     if (set.major.size() >= 2 && static_cast<int>(set.major.size()) <= most && fit(set.major)) return set;
     if (count < 2) {
@@ -141,6 +142,7 @@ TickSet logarithmic_ticks(double min, double max, int most, const LabelsFit& fit
       return set;
     }
   }
+  range.plain = range.lowest >= -2 && range.highest <= 3;
   TickSet set;
   for (int stride = 1; stride <= std::max(1, count); ++stride) {
     TickSet next = at_powers(range, stride);
