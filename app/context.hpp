@@ -45,6 +45,8 @@ struct RunHistory {
 struct PanelMemory;  // app/panels/memory.hpp
 
 struct AppContext {
+  explicit AppContext(Session& of) : session(of) {}
+
   Session& session;
 
   // The scene being edited; a panel changes it only through change().
@@ -71,7 +73,7 @@ struct AppContext {
   std::function<void(const std::string&)> notify;  ///< a short message at the window's edge
 
   /// What panels and tools remember between frames (open panel, half-typed values, gallery); made by the first one.
-  std::shared_ptr<PanelMemory> memory = {};
+  std::shared_ptr<PanelMemory> memory;
 };
 
 /// A panel of the left column, the right inspector or the bottom drawer: one file in panels/, one line in its table.

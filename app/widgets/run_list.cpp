@@ -1,0 +1,126 @@
+#include "app/widgets/run_list.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "app/panels/memory.hpp"
+#include "app/widgets/text.hpp"
+#include "core/charts/theme.hpp"
+
+namespace pf::app {
+
+namespace {
+
+ImU32 packed(const Color& c) {
+  return ImGui::ColorConvertFloat4ToU32(ImVec4(c.r, c.g, c.b, c.a));
+}
+
+ChartTheme theme_of(const AppContext& context) {
+  return context.view.theme == Theme::dark ? dark_theme() : light_theme();
+}
+
+void swatch(ImU32 color, bool dashed) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float y = std::floor(at.y + ImGui::GetTextLineHeight() / 2), thick = em(0.15F);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float ends[] = {at.x, at.x + em(0.4F), at.x + em(0.65F), at.x + em(1.05F)};
+  draw.AddRectFilled(ImVec2(ends[0], y - thick / 2), ImVec2(dashed ? ends[1] : ends[3], y + thick / 2), color);
+  if (dashed) draw.AddRectFilled(ImVec2(ends[2], y - thick / 2), ImVec2(ends[3], y + thick / 2), color);
+  ImGui::Dummy(ImVec2(em(1.05F), ImGui::GetTextLineHeight()));
+  ImGui::SameLine(0, em(0.4F));
+}
+
+/// A small cross; true when clicked.
+bool cross(const char* id) {
+  const float size = ImGui::GetTextLineHeight();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const bool pressed = ImGui::InvisibleButton(id, ImVec2(size, size));
+  const ImU32 color = ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_Text : ImGuiCol_TextDisabled);
+  const float a = size * 0.3F, b = size * 0.7F, thick = em(0.09F);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddLine(ImVec2(at.x + a, at.y + a), ImVec2(at.x + b, at.y + b), color, thick);
+  draw.AddLine(ImVec2(at.x + a, at.y + b), ImVec2(at.x + b, at.y + a), color, thick);
+  return pressed;
+}
+
+}  // namespace
+
+bool room_for_list() {
+  return ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x > em(22);
+}
+
+bool begin_run_list() {
+  if (!room_for_list()) return false;
+  const float width = std::min(em(16), ImGui::GetContentRegionAvail().x * 0.4F);
+  ImGui::BeginChild("legend", ImVec2(width, 0), false, ImGuiWindowFlags_NoBackground);
+  return true;
+}
+
+void end_run_list() {
+  ImGui::EndChild();
+  ImGui::SameLine(0, em());
+}
+
+void legend_entry(const AppContext& context, std::size_t color_index, std::string_view label, std::string_view value,
+                  bool* on, bool dashed) {
+  const ChartTheme theme = theme_of(context);
+  ImGui::PushID(label.data(), label.data() + label.size());
+  const ImVec2 start = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const bool shown = on == nullptr || *on;
+  const ImU32 color = packed(theme.series[color_index % theme.series.size()]);
+  ImGui::BeginGroup();
+  swatch(shown ? color : ImGui::GetColorU32(ImGuiCol_Border), dashed);
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(shown ? ImGuiCol_Text : ImGuiCol_TextDisabled));
+  property(label, value);
+  ImGui::PopStyleColor();
+  ImGui::EndGroup();
+  if (on != nullptr) {
+    const ImVec2 after = ImGui::GetCursorScreenPos();
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    ImGui::SetCursorScreenPos(start);
+    if (ImGui::InvisibleButton("switch", ImVec2(width, high.y - low.y))) *on = !*on;
+    tooltip(*on ? "Click to hide this curve." : "Click to show this curve.");
+    ImGui::SetCursorScreenPos(after);
+  }
+  ImGui::PopID();
+}
+
+void pinned_runs(AppContext& context) {
+  PanelMemory& m = memory(context);
+  gap();
+  const bool any = context.current.reports.size() > 1;
+  if (!any) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.5F);
+  if (ImGui::Button("Pin this run") && any && context.pin) context.pin();
+  if (!any) ImGui::PopStyleVar();
+  tooltip("Keeps these curves in grey behind those of the next runs. Change a setting, reset, and compare.");
+  if (context.pinned.empty()) return;
+  if (!context.current.label.empty()) {
+    muted("This run");
+    paragraph(context.current.label);
+  }
+  muted("Pinned");
+  for (std::size_t i = 0; i < context.pinned.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    const float left = ImGui::GetCursorPosX();
+    swatch(packed(theme_of(context).pinned), false);
+    const float x = ImGui::GetCursorPosX(), size = ImGui::GetTextLineHeight();
+    const float right = left + ImGui::GetContentRegionAvail().x + (x - left);
+    ImGui::PushTextWrapPos(right - size - em(0.25F));
+    text_unformatted(context.pinned[i].label);
+    ImGui::PopTextWrapPos();
+    ImGui::SameLine(right - size);
+    const bool unpin = cross("unpin");
+    tooltip("Forget this run.");
+    ImGui::PopID();
+    if (unpin) {
+      context.pinned.erase(context.pinned.begin() + static_cast<std::ptrdiff_t>(i));
+      if (i < m.plots.pinned.size()) m.plots.pinned.erase(m.plots.pinned.begin() + static_cast<std::ptrdiff_t>(i));
+      m.plots.relabel = true;
+      break;
+    }
+  }
+}
+
+}  // namespace pf::app

@@ -1,0 +1,118 @@
+#include "app/widgets/text.hpp"
+
+#include <algorithm>
+
+namespace pf::app {
+
+namespace {
+
+bool dark_surface() {
+  const ImVec4 c = ImGui::GetStyleColorVec4(ImGuiCol_WindowBg);
+  return 0.2126F * c.x + 0.7152F * c.y + 0.0722F * c.z < 0.5F;
+}
+
+void wrapped(std::string_view text, const ImVec4& color) {
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  ImGui::PushTextWrapPos(0);
+  text_unformatted(text);
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+ImVec2 size_of(std::string_view text, float wrap = -1) {
+  return ImGui::CalcTextSize(text.data(), text.data() + text.size(), false, wrap);
+}
+
+}  // namespace
+
+ImVec4 warning_color() {
+  return dark_surface() ? ImVec4(1, 0.72F, 0.32F, 1) : ImVec4(0.54F, 0.28F, 0, 1);
+}
+ImVec4 accent_color() {
+  return ImGui::GetStyleColorVec4(ImGuiCol_CheckMark);
+}
+
+void paragraph(std::string_view text) {
+  wrapped(text, ImGui::GetStyleColorVec4(ImGuiCol_Text));
+}
+void muted(std::string_view text) {
+  wrapped(text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+}
+void warning(std::string_view text) {
+  wrapped(text, warning_color());
+}
+
+void heading(const char* text) {
+  gap();
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text);
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+void gap(float height) {
+  ImGui::Dummy(ImVec2(0, std::max(0.0F, em(height) - ImGui::GetStyle().ItemSpacing.y)));
+}
+
+void tooltip(std::string_view text) {
+  if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsAnyMouseDown()) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(em(24));
+  text_unformatted(text);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+void property(std::string_view label, std::string_view value) {
+  const float width = ImGui::GetContentRegionAvail().x, value_width = size_of(value).x;
+  const bool one_line = size_of(label).x + value_width + em() <= width;
+  const float left = ImGui::GetCursorPosX();
+  muted(label);
+  if (one_line) ImGui::SameLine();
+  ImGui::SetCursorPosX(left + std::max(0.0F, width - value_width));
+  paragraph(value);
+}
+
+bool text_button(const char* label) {
+  ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
+  const bool pressed = ImGui::SmallButton(label);
+  ImGui::PopStyleColor();
+  return pressed;
+}
+
+bool flow_button(const char* label, bool first) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float width = size_of(label).x + 2 * style.FramePadding.x;
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  if (!first && ImGui::GetItemRectMax().x + style.ItemSpacing.x + width <= right) ImGui::SameLine();
+  return ImGui::Button(label);
+}
+
+bool checkbox(const char* id, std::string_view label, bool* value) {
+  ImGui::PushID(id);
+  ImGui::BeginGroup();
+  bool changed = ImGui::Checkbox("##box", value);
+  ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+  ImGui::AlignTextToFramePadding();
+  paragraph(label);
+  if (ImGui::IsItemClicked()) {
+    *value = !*value;
+    changed = true;
+  }
+  ImGui::EndGroup();
+  ImGui::PopID();
+  return changed;
+}
+
+bool foldable(const char* label, bool open) {
+  gap(0.25F);
+  ImGui::PushStyleColor(ImGuiCol_Header, ImVec4(0, 0, 0, 0));
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  const bool shown = ImGui::TreeNodeEx(label, ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth |
+                                                  (open ? ImGuiTreeNodeFlags_DefaultOpen : 0));
+  ImGui::PopStyleColor(2);
+  return shown;
+}
+
+}  // namespace pf::app
