@@ -34,5 +34,7 @@ std::span<const Setting> settings();
 /// The setting that a concrete pointer ("/materials/rubber/young") names, or nullptr. A pointer to a component
 /// ("/gravity/1") names the whole vector; one into a boolean shape names the setting of its outermost shape.
 const Setting* find_setting(std::string_view pointer);
+/// The text of docs/parameters.md: every setting with its unit, range, default and meaning.
+std::string settings_markdown();
 
 }  // namespace pf

@@ -9,6 +9,7 @@ namespace pf {
 
 std::string range_text(const Setting& setting) {
   std::string text;
+  if (setting.min == setting.max) return number_text(setting.min);
   if (std::isfinite(setting.min)) text += (setting.open_min ? "> " : ">= ") + number_text(setting.min);
   if (std::isfinite(setting.max)) {
     if (!text.empty()) text += " and ";

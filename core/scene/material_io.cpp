@@ -13,6 +13,7 @@ namespace pf {
 namespace {
 
 constexpr std::size_t most_materials = 1'000;
+constexpr double largest_parameter = 1e18;  // far beyond any material, far from overflow
 
 Setting setting_of(const LawParameter& parameter) {
   Setting setting;
@@ -20,7 +21,7 @@ Setting setting_of(const LawParameter& parameter) {
   setting.label = parameter.label;
   setting.unit = parameter.unit;
   setting.min = parameter.min;
-  setting.max = parameter.max;
+  setting.max = std::min(parameter.max, largest_parameter);
   setting.open_min = parameter.open_min;
   setting.open_max = parameter.open_max;
   setting.help = parameter.help;
@@ -139,9 +140,10 @@ Json material_schema() {
                        {"density", {{"type", Json::array({"number", "string"})}, {"exclusiveMinimum", 0}}}};
     Json required = Json::array({"model", "density"});
     for (const LawParameter& parameter : law.parameters) {
+      const Setting setting = setting_of(parameter);
       Json schema = {{"type", Json::array({"number", "string"})}};
-      if (std::isfinite(parameter.min)) schema[parameter.open_min ? "exclusiveMinimum" : "minimum"] = parameter.min;
-      if (std::isfinite(parameter.max)) schema[parameter.open_max ? "exclusiveMaximum" : "maximum"] = parameter.max;
+      if (std::isfinite(setting.min)) schema[setting.open_min ? "exclusiveMinimum" : "minimum"] = setting.min;
+      if (std::isfinite(setting.max)) schema[setting.open_max ? "exclusiveMaximum" : "maximum"] = setting.max;
       schema["description"] =
           std::string(parameter.help) + (parameter.unit.empty() ? "" : " [" + std::string(parameter.unit) + "]");
       properties[std::string(parameter.key)] = std::move(schema);
