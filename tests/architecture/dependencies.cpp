@@ -34,6 +34,10 @@ const std::map<std::string, Folders> core_rule{
      {"", "params", "math", "bases", "materials", "grid", "transfers", "energies", "solvers", "integrators", "scene",
       "diagnostics"}},
     {"diagnostics", {"params", "math", "bases", "materials", "grid", "scene"}},
+    // The simulation itself, a template of the dimension: sees all that it is put together from.
+    {"step",
+     {"", "params", "math", "bases", "materials", "grid", "transfers", "energies", "solvers", "integrators", "scene",
+      "diagnostics"}},
     {"output", {"", "params", "math", "materials", "scene", "diagnostics"}},
     {"lab", {"", "params", "math", "materials", "scene", "diagnostics", "charts", "output"}},
 };
