@@ -55,8 +55,38 @@ CLI::Validator above_zero() {
                    ? ""
                    : "found \"" + text + "\"; allowed: a number of seconds above 0";
       },
-      "SECONDS");
+      "");
 }
+
+// Whole numbers from `least` to `most`.
+CLI::Validator whole(long least, long most) {
+  return CLI::Validator(
+      [least, most](std::string& text) -> std::string {
+        long value = 0;
+        if (CLI::detail::lexical_cast(text, value) && value >= least && value <= most) return "";
+        return "found \"" + text + "\"; allowed: a whole number from " + std::to_string(least) + " to " +
+               std::to_string(most);
+      },
+      "");
+}
+
+// One of `names`; the nearest is suggested.
+CLI::Validator one_of(const std::vector<std::string>& names) {
+  return CLI::Validator(
+      [names](std::string& text) -> std::string {
+        if (std::find(names.begin(), names.end(), text) != names.end()) return "";
+        return "found \"" + text + "\"; allowed: " + suggest(text, names);
+      },
+      "");
+}
+
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_usage(const CLI::App* app, std::string name) const override {
+    if (app->get_parent() != nullptr) return CLI::Formatter::make_usage(app, name);
+    return "Usage: pushforward [SCENE] [--set /POINTER=VALUE]...\n       pushforward COMMAND [OPTIONS]\n";
+  }
+};
 
 CLI::Option* add_sets(CLI::App& app, std::vector<std::string>& sets) {
   return app.add_option("--set", sets, set_help)->type_name("/POINTER=VALUE")->allow_extra_args(false);
@@ -71,10 +101,10 @@ void add_run(CLI::App& app, Parsed& parsed) {
       ->check(above_zero())
       ->type_name("SECONDS");
   command->add_option("--steps", run.steps, "stop after this many steps")
-      ->check(CLI::NonNegativeNumber)
+      ->check(whole(0, 1000000000000))
       ->type_name("N");
   command->add_option("--threads", run.threads, "threads; default all; never changes a result")
-      ->check(CLI::Range(1, 1024))
+      ->check(whole(1, 1024))
       ->type_name("N");
   command->add_option("--out", run.out, "folder for stats.csv, summary.json and the files below")->type_name("DIR");
   command->add_flag("--quiet", run.quiet, "only warnings and errors");
@@ -87,7 +117,7 @@ void add_run(CLI::App& app, Parsed& parsed) {
   std::vector<std::string> formats;
   for (const ExportFormat& format : export_formats()) formats.emplace_back(format.name);
   command->add_option("--export", run.export_format, "particles (and with vtk the active grid), one file a frame")
-      ->check(CLI::IsMember(formats))
+      ->check(one_of(formats))
       ->type_name("vtk|ply|csv");
   command->add_option("--checkpoint-every", run.checkpoint_every, "save the whole state, every so much simulated time")
       ->check(above_zero())
@@ -99,6 +129,7 @@ void add_run(CLI::App& app, Parsed& parsed) {
 void add_commands(CLI::App& app, Parsed& parsed) {
   app.add_option("SCENE", parsed.scene, "scene file, or the name of a shipped scene");
   add_sets(app, parsed.sets);
+  app.formatter(std::make_shared<HelpFormatter>());
   app.set_help_flag("--help,-h", "this text; each subcommand has its own");
   app.add_flag("--version", parsed.version, "version, commit and compiler");
   app.footer(exit_statuses);
@@ -107,7 +138,7 @@ void add_commands(CLI::App& app, Parsed& parsed) {
   CLI::App* check = app.add_subcommand("check", "validate scenes: every problem found, not just the first");
   check->add_option("SCENE", parsed.files, "scene files")->required();
   CLI::App* list = app.add_subcommand("list", "names that a scene may use, one first on each line");
-  list->add_option("KIND", parsed.kind, "what to list")->required()->check(CLI::IsMember(list_kinds()));
+  list->add_option("KIND", parsed.kind, "what to list")->required()->check(one_of(list_kinds()));
   app.add_subcommand("schema", "JSON Schema of the scene file");
 }
 
@@ -126,20 +157,25 @@ std::vector<std::string> option_names(const CLI::App& app) {
 void complain_of_extras(const CLI::App& app) {
   const CLI::App* used = &app;
   if (!app.get_subcommands().empty()) used = app.get_subcommands().front();
-  for (const std::string& extra : app.remaining(true)) {
+  const std::vector<std::string> extras = app.remaining(true);
+  const std::vector<std::string> known = option_names(*used);
+  bool unknown_option = false;
+  for (const std::string& extra : extras) {
+    if (!extra.starts_with("-")) continue;
+    unknown_option = true;
     const std::string name = extra.substr(0, extra.find('='));
-    if (!name.starts_with("-")) {
-      complain("found \"" + extra + "\", one argument too many; see pushforward " +
-               (used == &app ? "" : used->get_name() + " ") + "--help");
-      continue;
-    }
-    std::vector<std::string> known = option_names(*used);
     const std::string near = nearest_name(name, known);
     complain("unknown option " + name + (near.empty() ? "" : "; did you mean " + near + "?"));
+  }
+  if (unknown_option) {  // other extras are probably its values
     std::string all;
     for (const std::string& option : known) all += " " + option;
     std::fprintf(stderr, "allowed:%s\n", all.c_str());
+    return;
   }
+  for (const std::string& extra : extras)
+    complain("found \"" + extra + "\", one argument too many; see pushforward " +
+             (used == &app ? "" : used->get_name() + " ") + "--help");
 }
 
 // A first word that is neither a subcommand nor a file: a slip of the pen, or a command that this version lacks.
@@ -155,7 +191,7 @@ bool is_unknown_command(const CLI::App& app, const std::string& scene) {
   }
   const std::string near = nearest_name(scene, commands);
   complain("\"" + scene + "\" is neither a command nor a scene file" +
-           (near.empty() ? "" : "; did you mean " + near + "?") + " Commands: " + all);
+           (near.empty() ? "." : "; did you mean " + near + "?") + " Commands: " + all);
   return true;
 }
 

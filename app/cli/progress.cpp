@@ -12,6 +12,7 @@ namespace {
 
 constexpr double bar_interval = 0.1, line_interval = 10;  // [s]
 constexpr int bar_width = 24;
+constexpr int most_warnings = 20;  // shown one by one; summary.json has them all
 
 }  // namespace
 
@@ -32,9 +33,9 @@ Progress::Progress(std::optional<long> steps, bool quiet)
 
 void Progress::warn(const StepReport& report) {
   for (const std::string& warning : report.warnings) {
-    if (!warned_.insert(warning).second) continue;
+    if (!warned_.insert(warning).second || static_cast<int>(warned_.size()) > most_warnings) continue;
     clear_bar();
-    std::fprintf(stderr, "warning, step %ld: %s\n", report.step, warning.c_str());
+    std::fprintf(stderr, "warning: %s\n", warning.c_str());
   }
 }
 
@@ -93,6 +94,8 @@ void Progress::on_state(const Simulation& simulation) {
 void Progress::on_end(const Simulation& /*simulation*/, const RunResult& result) {
   warn(result.last_attempt);
   clear_bar();
+  const auto more = static_cast<long>(warned_.size()) - most_warnings;
+  if (more > 0) std::fprintf(stderr, "warning: %ld more like these; with --out DIR, summary.json lists all\n", more);
 }
 
 }  // namespace pf::app
