@@ -169,7 +169,7 @@ void GridLayer::draw(const Frame& frame, InkPrograms& ink) {
     const DataKey key = DataKey::of(frame, frame.options.bent_magnification);
     if (key != bent_key_ || !bent_anchor_.serves(frame)) upload_bent(frame);
     bent_key_ = key;
-    bent_.draw(ink, frame, bent_anchor_, 1.1f);
+    bent_.draw(ink, frame, bent_anchor_, 1.2f, 0, frame.theme().arrow_rim);
   }
   if (frame.options.grid) {
     const DataKey key = DataKey::of(frame, frame.pixels_per_metre);
@@ -181,7 +181,7 @@ void GridLayer::draw(const Frame& frame, InkPrograms& ink) {
     const DataKey key = DataKey::of(frame, frame.pixels_per_metre);
     if (key != arrow_key_ || !arrow_anchor_.serves(frame)) upload_arrows(frame);
     arrow_key_ = key;
-    arrows_.draw(ink, frame, arrow_anchor_, 1.4f, 7);
+    arrows_.draw(ink, frame, arrow_anchor_, 1.4f, 7, frame.theme().arrow_rim);
   }
 }
 

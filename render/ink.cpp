@@ -29,11 +29,19 @@ void Ink::upload(const std::vector<Segment>& segments, const std::vector<Mark>& 
   marks_.upload(marks);
 }
 
-void Ink::draw(InkPrograms& programs, const Frame& frame, const Anchor& anchor, float width, float head) const {
+void Ink::draw(InkPrograms& programs, const Frame& frame, const Anchor& anchor, float width, float head,
+               Color rim) const {
   if (segments_.count() > 0) {
     set_common(programs.segment, frame, anchor);
     programs.segment.set("u_width", width * frame.scale());
     programs.segment.set("u_head", head * frame.scale());
+    if (rim.a > 0) {
+      programs.segment.set("u_rim", rgba(rim));
+      programs.segment.set("u_grow", frame.scale());
+      segments_.draw_quads();
+    }
+    programs.segment.set("u_rim", glm::vec4(0));
+    programs.segment.set("u_grow", 0.f);
     segments_.draw_quads();
   }
   if (marks_.count() > 0) {

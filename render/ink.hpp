@@ -29,8 +29,10 @@ class Ink {
   Ink();
   /// Coordinates relative to `anchor`.
   void upload(const std::vector<Segment>& segments, const std::vector<Mark>& marks);
-  /// `width` in layout pixels; `head` > 0 makes arrows with heads of that length.
-  void draw(InkPrograms& programs, const Frame& frame, const Anchor& anchor, float width, float head = 0) const;
+  /// `width` in layout pixels; `head` > 0 makes arrows with heads of that length; a `rim` of a
+  /// pixel sets lines off from what is below.
+  void draw(InkPrograms& programs, const Frame& frame, const Anchor& anchor, float width, float head = 0,
+            Color rim = {0, 0, 0, 0}) const;
 
  private:
   gl::Batch segments_, marks_;

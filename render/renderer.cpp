@@ -9,6 +9,7 @@
 #include "render/boundary_layer_2d.hpp"
 #include "render/grid_layer.hpp"
 #include "render/particle_layer_2d.hpp"
+#include "render/view_3d.hpp"
 
 namespace pf {
 
@@ -51,6 +52,7 @@ struct Renderer::Impl {
   BoundaryLayer2D boundaries_2d;
   ParticleLayer2D particles_2d;
   GridLayer grid;
+  View3D view_3d;
   Ink grab;
   Anchor grab_anchor;
   AutoRange auto_range;
@@ -64,6 +66,7 @@ struct Renderer::Impl {
   void invalidate() {
     boundaries_2d.invalidate();
     particles_2d.invalidate();
+    view_3d.invalidate();
     grid.invalidate();
   }
   void update_range(Frame& frame);
@@ -126,7 +129,10 @@ void Renderer::draw(const Snapshot& snapshot, const RenderOptions& options, cons
 
   Frame frame(snapshot, options, camera, viewport, im.software);
   im.update_range(frame);
-  if (frame.flat()) im.draw_flat(frame);
+  if (frame.flat())
+    im.draw_flat(frame);
+  else
+    im.view_3d.draw(frame, im.background, im.grid, im.colors, im.ink, guard);
   if (snapshot.grabbed) {
     upload_grab(frame, im.grab, im.grab_anchor);
     im.grab.draw(im.ink, frame, im.grab_anchor, 1.6f);

@@ -13,8 +13,10 @@ struct RenderTheme {
   Color node_fixed;                      ///< node held by a constraint
   Color node_contact;                    ///< node in contact
   Color arrow;                           ///< node velocity
+  Color arrow_rim;                       ///< sets arrows and bent lines off from the particles
   Color bent_grid;                       ///< images of the grid lines under phi^
   Color solid, solid_hatch, solid_edge;  ///< boundaries
+  Color solid_3d, ground, ground_line;   ///< boundaries in 3D
   Color constraint, load;                ///< regions
   Color inverted;                        ///< particles with J <= 0
   Color selection;

@@ -13,3 +13,28 @@ vec3 to_srgb(vec3 c) { return pow(max(c, vec3(0.0)), vec3(1.0 / 2.2)); }
 
 // Breaks up the bands of a slow gradient.
 float dither(vec2 pixel) { return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))) - 0.5; }
+
+// Towards the light, in world axes: from the upper left of the usual view.
+const vec3 LIGHT = vec3(-0.362, 0.805, 0.470);
+
+// Share of the light that reaches p: soft, from a disc of samples turned anew in every pixel.
+float reached(sampler2DShadow map, mat4 to_map, vec3 p, float softness, vec2 pixel) {
+  vec4 q = to_map * vec4(p, 1.0);
+  if (any(lessThan(q.xyz, vec3(0.0))) || any(greaterThan(q.xyz, vec3(1.0)))) return 1.0;
+  const int taps = 16;
+  float turn = (dither(pixel) + 0.5) * 2.0 * PI, sum = 0.0;
+  for (int k = 0; k < taps; ++k) {
+    float r = softness * sqrt((float(k) + 0.5) / float(taps)), a = turn + 2.39996323 * float(k);
+    sum += texture(map, vec3(q.xy + r * vec2(cos(a), sin(a)), q.z));
+  }
+  return sum / float(taps);
+}
+
+// sRGB colour of a matt surface: sky light from above, a key light, a faint gloss. `n` and `to_eye` in world axes.
+vec3 shaded(vec3 base, vec3 n, vec3 to_eye, float key) {
+  float sky = 0.5 + 0.5 * n.y;
+  float diffuse = max(dot(n, LIGHT), 0.0) * key;
+  float gloss = pow(max(dot(n, normalize(LIGHT + to_eye)), 0.0), 40.0) * key;
+  vec3 light = mix(vec3(0.24, 0.23, 0.24), vec3(0.46, 0.48, 0.52), sky) + vec3(0.74, 0.72, 0.68) * diffuse;
+  return to_srgb(to_linear(base) * light + vec3(0.045) * gloss);
+}

@@ -5,6 +5,8 @@ uniform vec3 u_offset;
 uniform vec2 u_half_size;  // half of the viewport [px]
 uniform float u_width;     // [px]
 uniform float u_head;      // largest length of an arrow head [px]; 0: none
+uniform vec4 u_rim;        // alpha > 0: a rim of this colour only, to be drawn below
+uniform float u_grow;      // width of the rim [px]
 
 #ifdef VERTEX
 layout(location = 0) in vec3 a_from;
@@ -25,12 +27,12 @@ void main() {
   v_length = length(pb - pa);
   vec2 along = v_length > 1e-6 ? (pb - pa) / v_length : vec2(1.0, 0.0);
   vec2 across = vec2(-along.y, along.x);
-  float reach = 0.5 * u_width + 0.5 * u_head + 1.5;
+  float reach = 0.5 * u_width + 0.5 * u_head + 1.5 + u_grow;
   bool end = (gl_VertexID & 1) == 1;
   float side = (gl_VertexID >> 1) == 1 ? reach : -reach;
-  float beyond = 0.5 * u_width + 1.5;
+  float beyond = 0.5 * u_width + 1.5 + 2.0 * u_grow;
   v_p = vec2(end ? v_length + beyond : -beyond, side);
-  v_color = a_color;
+  v_color = u_rim.a > 0.0 ? u_rim : a_color;
   vec4 at = end ? b : a;
   vec2 pixel = (end ? pb + along * beyond : pa - along * beyond) + across * side;
   gl_Position = vec4(pixel / u_half_size * at.w, at.z, at.w);
@@ -54,7 +56,7 @@ void main() {
     float triangle = min((half_width - abs(v_p.y)) * 0.92, head - from_tip);
     d = max(d, triangle);
   }
-  float alpha = clamp(d + 0.5, 0.0, 1.0);
+  float alpha = clamp(d + u_grow + 0.5, 0.0, 1.0);
   if (alpha <= 0.0) discard;
   out_color = vec4(v_color.rgb, v_color.a * alpha);
 }

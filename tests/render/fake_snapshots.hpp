@@ -69,6 +69,7 @@ inline Snapshot two_blocks(const Vec<2>& shift = Vec<2>::Zero(), int n = 40) {
   s.spacing = 0.05;
   s.report.time = 0.72;
   s.report.step = 43;
+  s.report.dt = 1.0 / 60;
   const double h = 1.0 / n;
   const auto bent = [=](const Vec<2>& X) -> Vec<2> {
     const double a = 0.35 + 0.5 * (X.x() - 0.5);
@@ -110,6 +111,54 @@ inline Snapshot two_blocks(const Vec<2>& shift = Vec<2>::Zero(), int n = 40) {
   scene->body_names = {"left", "right"};
   s.scene = scene;
   s.boundary_displacement.assign(2, Vec3::Zero());
+  return s;
+}
+
+/// A bar of nx x ny x nz particles of spacing h, twisted about its long axis y, standing on the ground y = 0, with a
+/// ball beside it.
+inline Snapshot twisted_bar(int nx = 10, int ny = 30, int nz = 10, const Vec3& shift = Vec3::Zero()) {
+  Snapshot s;
+  s.dimension = 3;
+  s.report.time = 0.4;
+  s.report.step = 24;
+  s.report.dt = 1.0 / 60;
+  const double h = 1.0 / ny;
+  s.spacing = 2 * h;
+  for (int k = 0; k < nz; ++k) {
+    for (int j = 0; j < ny; ++j) {
+      for (int i = 0; i < nx; ++i) {
+        const Vec3 X((i + 0.5 - 0.5 * nx) * h, (j + 0.5) * h, (k + 0.5 - 0.5 * nz) * h);
+        const double a = 1.6 * X.y(), c = std::cos(a), t = std::sin(a);
+        const Vec3 x(c * X.x() + t * X.z(), X.y(), -t * X.x() + c * X.z());
+        Mat3 F;
+        F << c, 1.6 * (-t * X.x() + c * X.z()), t, 0, 1, 0, -t, 1.6 * (-c * X.x() - t * X.z()), c;
+        s.id.push_back(static_cast<std::uint32_t>(s.particles++));
+        s.body.push_back(0);
+        s.material.push_back(0);
+        for (int q = 0; q < 3; ++q) s.x.push_back(x[q] + shift[q]);
+        for (int q = 0; q < 9; ++q) s.F.push_back(static_cast<float>(F(q % 3, q / 3)));
+        s.volume0.push_back(static_cast<float>(h * h * h));
+        s.field[0].push_back(static_cast<float>(1.6 * X.y() * std::hypot(X.x(), X.z()) * 10));
+      }
+    }
+  }
+  auto scene = std::make_shared<SceneView>();
+  const double inf = INFINITY;
+  scene->boundaries.push_back(
+      {[=](const Vec3& p) { return p.y() - shift.y(); }, Vec3::Constant(-inf), {inf, shift.y(), inf}, "separate"});
+  const Vec3 ball = shift + Vec3(0.5, 0.2, 0.1);
+  scene->boundaries.push_back({[=](const Vec3& p) { return (p - ball).norm() - 0.2; }, ball - Vec3::Constant(0.2),
+                               ball + Vec3::Constant(0.2), "slip"});
+  const Vec3 box = shift + Vec3(-0.55, 0.12, 0.15), half(0.15, 0.12, 0.2);
+  scene->boundaries.push_back({[=](const Vec3& p) {
+                                 const Vec3 q = (p - box).cwiseAbs() - half;
+                                 return q.cwiseMax(0).norm() + std::min(q.maxCoeff(), 0.0);
+                               },
+                               box - half, box + half, "slip"});
+  scene->material_names = {"rubber"};
+  scene->body_names = {"bar"};
+  s.scene = scene;
+  s.boundary_displacement.assign(3, Vec3::Zero());
   return s;
 }
 

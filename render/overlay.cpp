@@ -1,0 +1,178 @@
+#include "render/overlay.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/charts/ticks.hpp"
+#include "render/color_bar.hpp"
+
+namespace pf {
+
+namespace {
+
+constexpr float margin = 16, text_size = 13, small_size = 12, title_size = 16;
+
+/// Text that stays readable on whatever is below: a soft rim of the background's colour.
+void text_with_rim(Painter& painter, const RenderTheme& theme, Point2 at, std::string_view text, float size,
+                   Color color, TextAlign align = TextAlign::left, FontWeight weight = FontWeight::regular) {
+  Color rim = theme.background_bottom;
+  rim.a = 0.35f;
+  for (const auto& [dx, dy] : {std::pair{-1.f, 0.f}, {1.f, 0.f}, {0.f, -1.f}, {0.f, 1.f}, {-1.f, -1.f}, {1.f, 1.f}})
+    painter.text({at.x + dx, at.y + dy}, text, size, rim, align, weight);
+  painter.text(at, text, size, color, align, weight);
+}
+
+void line_with_rim(Painter& painter, const RenderTheme& theme, std::span<const Point2> points, Color color,
+                   float width) {
+  Color rim = theme.background_bottom;
+  rim.a = 0.6f;
+  painter.polyline(points, rim, width + 2);
+  painter.polyline(points, color, width);
+}
+
+void arrow(Painter& painter, const RenderTheme& theme, Point2 from, Point2 to, Color color, float width = 1.6f) {
+  const float dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
+  if (length < 2) return;
+  const float ux = dx / length, uy = dy / length, head = std::min(7.f, 0.5f * length);
+  const Point2 neck{to.x - 0.8f * head * ux, to.y - 0.8f * head * uy};
+  const std::array line{from, neck};
+  line_with_rim(painter, theme, line, color, width);
+  const Point2 base{to.x - head * ux, to.y - head * uy};
+  const float half = 0.42f * head;
+  const std::array tip{to, Point2{base.x - half * uy, base.y + half * ux},
+                       Point2{base.x + half * uy, base.y - half * ux}};
+  painter.polygon(tip, color);
+}
+
+std::string clock_text(const OverlayInfo& info) {
+  const int decimals = info.dt > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(info.dt))), 2, 7) : 3;
+  std::string text = "t = " + fixed_text(info.time, decimals) + " s";
+  if (info.step >= 0) text += "    step " + std::to_string(info.step);
+  return text;
+}
+
+void draw_title(const OverlayInfo& info, const RenderTheme& theme, Painter& painter, Point2 min) {
+  Point2 at{min.x + margin, min.y + margin + title_size};
+  if (!info.title.empty()) {
+    text_with_rim(painter, theme, at, info.title, title_size, theme.text, TextAlign::left, FontWeight::bold);
+    at.y += 20;
+  }
+  if (info.clock) text_with_rim(painter, theme, at, clock_text(info), text_size, theme.text_muted);
+}
+
+/// Directions of the world's axes on the screen, y downwards, and their depth towards the eye.
+struct Axis {
+  Point2 direction;
+  double towards_eye;
+  const char* name;
+  Color color;
+};
+std::vector<Axis> axes_on_screen(const Camera& camera) {
+  constexpr Color red{0.93f, 0.33f, 0.36f, 1}, green{0.45f, 0.74f, 0.32f, 1}, blue{0.32f, 0.57f, 0.95f, 1};
+  const auto* orbit = std::get_if<OrbitCamera>(&camera);
+  if (!orbit) return {{{1, 0}, 0, "x", red}, {{0, -1}, 0, "y", green}};
+  std::vector<Axis> axes;
+  const std::array names{"x", "y", "z"};
+  const std::array colors{red, green, blue};
+  const Vec3 right = orbit->right(), up = orbit->up(), forward = orbit->forward();
+  for (std::size_t a = 0; a < 3; ++a)
+    axes.push_back({{static_cast<float>(right[a]), static_cast<float>(-up[a])}, -forward[a], names[a], colors[a]});
+  std::sort(axes.begin(), axes.end(), [](const Axis& l, const Axis& r) { return l.towards_eye < r.towards_eye; });
+  return axes;
+}
+
+constexpr float axis_length = 30;
+
+/// Returns the x where the next thing may begin.
+float draw_axes(const OverlayInfo& info, const RenderTheme& theme, Painter& painter, Point2 min, Point2 max) {
+  const bool flat = std::holds_alternative<Camera2D>(info.camera);
+  const Point2 origin = flat ? Point2{min.x + margin + 4, max.y - margin - 4}
+                             : Point2{min.x + margin + axis_length + 6, max.y - margin - axis_length - 6};
+  for (const Axis& axis : axes_on_screen(info.camera)) {
+    const Point2 tip{origin.x + axis_length * axis.direction.x, origin.y + axis_length * axis.direction.y};
+    arrow(painter, theme, origin, tip, axis.color, 2);
+    const Point2 name{origin.x + (axis_length + 9) * axis.direction.x,
+                      origin.y + (axis_length + 9) * axis.direction.y + 4};
+    text_with_rim(painter, theme, name, axis.name, small_size, theme.text, TextAlign::centre);
+  }
+  return origin.x + axis_length + 30;
+}
+
+float draw_scale_bar(const OverlayInfo& info, const RenderTheme& theme, Painter& painter, float x, float y) {
+  const auto* flat = std::get_if<Camera2D>(&info.camera);
+  const double pixels_per_metre =
+      flat ? flat->pixels_per_metre : std::get<OrbitCamera>(info.camera).pixels_per_metre(info.size);
+  const double units_per_metre = pixels_per_metre / info.pixel_scale;
+  const RoundLength length = round_length(120 / units_per_metre);
+  const auto width = static_cast<float>(length.metres * units_per_metre);
+  const std::array bar{Point2{x, y - 5}, Point2{x, y}, Point2{x + width, y}, Point2{x + width, y - 5}};
+  line_with_rim(painter, theme, bar, theme.text, 1.6f);
+  text_with_rim(painter, theme, {x + 0.5f * width, y - 9}, length.text, small_size, theme.text, TextAlign::centre);
+  return x + std::max(width, painter.text_width(length.text, small_size)) + 32;
+}
+
+void draw_arrow_key(const OverlayInfo& info, const RenderTheme& theme, Painter& painter, float x, float y) {
+  const double units_per_speed = info.arrow_pixels_per_speed / info.pixel_scale;
+  if (!(units_per_speed > 0)) return;
+  const double most = 70 / units_per_speed;
+  const double power = std::pow(10.0, std::floor(std::log10(most)));
+  const double speed = power * (most >= 5 * power ? 5 : most >= 2 * power ? 2 : 1);
+  const auto length = static_cast<float>(speed * units_per_speed);
+  arrow(painter, theme, {x, y - 2}, {x + length, y - 2}, theme.arrow);
+  text_with_rim(painter, theme, {x, y - 11}, number_text(speed, 2) + " m/s", small_size, theme.text);
+}
+
+}  // namespace
+
+RoundLength round_length(double most) {
+  if (!(most > 0) || !std::isfinite(most)) return {};
+  const double power = std::pow(10.0, std::floor(std::log10(most) + 1e-9));
+  const double metres = power * (most >= 5 * power ? 5 : most >= 2 * power ? 2 : 1);
+  struct Unit {
+    double metres;
+    const char* name;
+  };
+  constexpr std::array units{Unit{1e3, "km"},  Unit{1, "m"},          Unit{1e-2, "cm"},
+                             Unit{1e-3, "mm"}, Unit{1e-6, "\u00b5m"}, Unit{1e-9, "nm"}};
+  for (const Unit& unit : units)
+    if (metres >= unit.metres * (1 - 1e-9))
+      return {metres, std::to_string(std::lround(metres / unit.metres)) + " " + unit.name};
+  return {metres, number_text(metres, 2) + " m"};
+}
+
+OverlayInfo OverlayInfo::of(const Snapshot& snapshot, const Renderer& renderer, const RenderOptions& options,
+                            const Camera& camera, ViewSize size) {
+  OverlayInfo info;
+  info.time = snapshot.report.time;
+  info.dt = snapshot.report.dt;
+  info.step = snapshot.report.step;
+  info.field = options.field;
+  info.range = renderer.range();
+  if (snapshot.scene) info.material_names = snapshot.scene->material_names;
+  info.camera = camera;
+  info.size = size;
+  info.pixel_scale = options.pixel_scale;
+  info.arrow_pixels_per_speed = renderer.arrow_pixels_per_speed();
+  return info;
+}
+
+ViewMargins overlay_margins(int dimension) {
+  ViewMargins m{28, 104, 66, 66};
+  if (dimension == 3) m = {28, 104, 60, 40};
+  return m;
+}
+
+void draw_overlay(const OverlayInfo& info, const RenderTheme& theme, Painter& painter, Point2 min, Point2 max) {
+  painter.push_clip(min, max);
+  draw_title(info, theme, painter, min);
+  if (info.color_bar) draw_color_bar(info, theme, painter, min, max);
+  float x = min.x + margin + 4;
+  const float y = max.y - margin;
+  if (info.axes) x = draw_axes(info, theme, painter, min, max);
+  if (info.scale_bar) x = draw_scale_bar(info, theme, painter, x, y);
+  draw_arrow_key(info, theme, painter, x, y);
+  painter.pop_clip();
+}
+
+}  // namespace pf

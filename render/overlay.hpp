@@ -1,0 +1,45 @@
+// What is written on a picture: title, clock, colour bar, scale bar, axes, length of the arrows. Painted with the
+// abstract Painter, so that the window and picture files show the same.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/charts/painter.hpp"
+#include "render/renderer.hpp"
+
+namespace pf {
+
+struct OverlayInfo {
+  std::string title;
+  double time = 0;  ///< [s]
+  double dt = 0;    ///< [s]: decides how many decimals the clock shows; 0: unknown
+  long step = -1;   ///< negative: not shown
+  Field field = Field::speed;
+  ValueRange range;                         ///< Renderer::range()
+  std::vector<std::string> material_names;  ///< key to the categorical colours
+  Camera camera;
+  ViewSize size;                      ///< framebuffer pixels that `camera` was used with
+  float pixel_scale = 1;              ///< framebuffer pixels a unit of the painter
+  double arrow_pixels_per_speed = 0;  ///< Renderer::arrow_pixels_per_speed(); 0: no key to arrows
+  bool color_bar = true, scale_bar = true, axes = true, clock = true;
+
+  /// Everything that a snapshot and the renderer that drew it know.
+  static OverlayInfo of(const Snapshot& snapshot, const Renderer& renderer, const RenderOptions& options,
+                        const Camera& camera, ViewSize size);
+};
+
+/// Into the rectangle from `min` to `max`, in the painter's units; nothing overlaps from 320 x 240 units on.
+void draw_overlay(const OverlayInfo& info, const RenderTheme& theme, Painter& painter, Point2 min, Point2 max);
+
+/// Room that the overlay needs around the content [units of the painter]: margins for Camera's fit.
+ViewMargins overlay_margins(int dimension);
+
+/// A round length (1, 2 or 5 times a power of ten) of at most `most` metres, and its text: {0.05, "5 cm"}.
+struct RoundLength {
+  double metres = 0;
+  std::string text;
+};
+RoundLength round_length(double most);
+
+}  // namespace pf

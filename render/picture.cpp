@@ -1,0 +1,85 @@
+#include "render/picture.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/charts/png_painter.hpp"
+#include "render/offscreen.hpp"
+#include "render/overlay.hpp"
+
+namespace pf {
+
+namespace {
+/// Text and lines keep their share of the picture, within reason.
+float scale_of(ViewSize size) {
+  return std::clamp(static_cast<float>(std::min(size.height / 720.0, size.width / 1000.0)), 0.75f, 6.f);
+}
+}  // namespace
+
+struct PictureMaker::Impl {
+  PictureOptions options;
+  OffscreenContext context;
+  Renderer renderer;
+  OffscreenTarget target;
+  std::optional<Camera> camera;
+
+  explicit Impl(const PictureOptions& wanted) : options(wanted), target(wanted.size, 4) {
+    options.render.pixel_scale = scale_of(options.size);
+    options.render.best_quality = true;
+  }
+};
+
+PictureMaker::PictureMaker(const PictureOptions& options) : impl_(std::make_unique<Impl>(options)) {}
+PictureMaker::~PictureMaker() {
+  impl_->context.make_current();  // its objects are deleted in it
+}
+
+PictureOptions& PictureMaker::options() {
+  return impl_->options;
+}
+void PictureMaker::set_camera(const Camera& camera) {
+  impl_->camera = camera;
+}
+
+Image PictureMaker::draw(const Snapshot& snapshot) {
+  Impl& im = *impl_;
+  im.context.make_current();
+  const ViewSize size = im.target.size();
+  if (!im.camera) im.camera = picture_camera(snapshot, size, im.options.overlay);
+  im.target.bind();
+  im.renderer.draw(snapshot, im.options.render, *im.camera, {0, 0, size});
+  Image image = im.target.read();
+  if (!im.options.overlay) return image;
+  OverlayInfo info = OverlayInfo::of(snapshot, im.renderer, im.options.render, *im.camera, size);
+  info.title = im.options.title;
+  const float scale = im.options.render.pixel_scale;
+  PngPainter painter(image, scale);
+  draw_overlay(info, im.options.render.theme, painter, {0, 0},
+               {static_cast<float>(size.width) / scale, static_cast<float>(size.height) / scale});
+  return image;
+}
+
+Camera picture_camera(int dimension, const ViewBounds& bounds, ViewSize size, bool overlay) {
+  ViewMargins margins = overlay ? overlay_margins(dimension) : ViewMargins{24, 24, 24, 24};
+  const double scale = scale_of(size);
+  margins = {scale * margins.left, scale * margins.right, scale * margins.top, scale * margins.bottom};
+  return fitted_camera(dimension, bounds, size, margins);
+}
+
+Camera picture_camera(const Snapshot& first, ViewSize size, bool overlay) {
+  return picture_camera(first.dimension, scene_bounds(first), size, overlay);
+}
+
+Image draw_picture(const Snapshot& snapshot, const PictureOptions& options) {
+  PictureMaker maker(options);
+  return maker.draw(snapshot);
+}
+
+SnapshotRequest snapshot_request(const RenderOptions& options) {
+  SnapshotRequest request;
+  request.fields = 1u << static_cast<unsigned>(options.field);
+  request.grid = options.grid || options.velocities || options.bent_grid;
+  return request;
+}
+
+}  // namespace pf
