@@ -1,7 +1,7 @@
 // From a series' values to the polylines and marks that can be seen.
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 
 #include "core/charts/clip_segment.hpp"
 #include "core/charts/placing.hpp"
@@ -11,7 +11,6 @@ namespace {
 
 struct Pixel {
   double x, y;
-  bool valid() const { return std::isfinite(x) && std::isfinite(y); }
 };
 
 Point2 to_point(Pixel p) {
@@ -44,27 +43,82 @@ class ClippedLines {
   std::vector<std::vector<Point2>> lines_;
 };
 
-/// Replaces runs of points in one pixel column by their first, lowest, highest and last: the same picture.
-std::vector<Pixel> thinned(const std::vector<Pixel>& points) {
-  std::vector<Pixel> out;
-  for (std::size_t k = 0; k < points.size();) {
-    if (!points[k].valid()) {
-      out.push_back(points[k++]);
-      continue;
-    }
-    const double column = std::floor(points[k].x);
-    std::size_t low = k, high = k, end = k;
-    for (; end < points.size() && points[end].valid() && std::floor(points[end].x) == column; ++end) {
-      if (points[end].y < points[low].y) low = end;
-      if (points[end].y > points[high].y) high = end;
-    }
-    std::size_t kept[] = {k, std::min(low, high), std::max(low, high), end - 1};
-    for (std::size_t j = 0; j < 4; ++j) {
-      if (j == 0 || kept[j] != kept[j - 1]) out.push_back(points[kept[j]]);
-    }
-    k = end;
+/// What an AxisMap does, with its logarithms taken once: a series may have a million points.
+class FastMap {
+ public:
+  explicit FastMap(const AxisMap& map) : logarithmic_(map.scale == AxisScale::logarithmic) {
+    const double low = logarithmic_ ? std::log(map.min) : map.min, high = logarithmic_ ? std::log(map.max) : map.max;
+    slope_ = (map.to - map.from) / (high - low);
+    low_ = low;
+    from_ = map.from;
   }
-  return out;
+  /// Also false where differences would overflow.
+  bool holds(double value) const { return std::abs(value) <= 1e300 && (!logarithmic_ || value > 0); }
+  double place(double value) const { return from_ + slope_ * ((logarithmic_ ? std::log(value) : value) - low_); }
+
+ private:
+  bool logarithmic_;
+  double slope_, low_, from_;
+};
+
+/// The points of a series that can be drawn, and their pixels.
+class Points {
+ public:
+  Points(const Series& series, const AxisMap& x, const AxisMap& y)
+      : series_(series), x_(x), y_(y), size_(std::min(series.x.size(), series.y.size())) {}
+  std::size_t size() const { return size_; }
+  bool valid(std::size_t k) const { return x_.holds(series_.x[k]) && y_.holds(series_.y[k]); }
+  double column(std::size_t k) const { return std::floor(x_.place(series_.x[k])); }
+  double y(std::size_t k) const { return series_.y[k]; }
+  Pixel pixel(std::size_t k) const { return {x_.place(series_.x[k]), y_.place(series_.y[k])}; }
+
+ private:
+  const Series& series_;
+  FastMap x_, y_;
+  std::size_t size_;
+};
+
+/// The end, excluded, of the run of valid points that begins at `first` and stays in its pixel column; the points of
+/// the run with the least and the largest value.
+std::size_t end_of_column(const Points& points, std::size_t first, std::size_t& low, std::size_t& high) {
+  low = high = first;
+  const double column = points.column(first);
+  std::size_t k = first + 1;
+  for (; k < points.size() && points.valid(k) && points.column(k) == column; ++k) {
+    if (points.y(k) < points.y(low)) low = k;
+    if (points.y(k) > points.y(high)) high = k;
+  }
+  return k;
+}
+
+std::vector<std::vector<Point2>> place_lines(const Points& points, const Box& plot) {
+  const bool thin = static_cast<double>(points.size()) > 4 * std::max(1.0f, plot.width());
+  ClippedLines lines(plot.grown(4));
+  std::optional<Pixel> before;
+  const auto draw_to = [&](std::size_t k) {
+    const Pixel at = points.pixel(k);
+    if (before) lines.segment(*before, at);
+    before = at;
+  };
+  for (std::size_t k = 0; k < points.size();) {
+    if (!points.valid(k)) {
+      lines.lift();
+      before.reset();
+      ++k;
+    } else if (!thin) {
+      draw_to(k++);
+    } else {
+      // The first, lowest, highest and last of a column give the same picture as all of them.
+      std::size_t low = k, high = k;
+      const std::size_t end = end_of_column(points, k, low, high);
+      const std::size_t kept[] = {k, std::min(low, high), std::max(low, high), end - 1};
+      for (std::size_t j = 0; j < 4; ++j) {
+        if (j == 0 || kept[j] != kept[j - 1]) draw_to(kept[j]);
+      }
+      k = end;
+    }
+  }
+  return lines.take();
 }
 
 /// Leaves one mark for each half pixel.
@@ -81,32 +135,21 @@ std::vector<Point2> distinct(std::vector<Point2> marks) {
 
 PlacedSeries place_series(const Chart& chart, const ChartLayout& layout, std::size_t index) {
   const Series& series = chart.series[index];
-  const AxisMap &x = layout.x.map, &y = layout.vertical(chart, index);
-  std::vector<Pixel> points(std::min(series.x.size(), series.y.size()));
-  for (std::size_t k = 0; k < points.size(); ++k) points[k] = {x.place(series.x[k]), y.place(series.y[k])};
-
+  const Points points(series, layout.x.map, layout.vertical(chart, index));
   PlacedSeries placed;
   std::vector<Point2> marks;
-  const bool draws_line = series.style != SeriesStyle::points, draws_marks = series.style != SeriesStyle::line;
+  const bool draws_marks = series.style != SeriesStyle::line;
+  // A hair beyond the frame still counts: rounding must not lose a point on the axis.
+  const Box frame = layout.plot.grown(0.5f);
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const bool lone = (k == 0 || !points[k - 1].valid()) && (k + 1 == points.size() || !points[k + 1].valid());
-    if (!points[k].valid() || !(draws_marks || lone)) continue;
-    // A hair beyond the frame still counts: rounding must not lose a point on the axis.
-    if (layout.plot.grown(0.5f).contains(to_point(points[k]))) marks.push_back(to_point(points[k]));
+    if (!points.valid(k)) continue;
+    const bool lone = (k == 0 || !points.valid(k - 1)) && (k + 1 == points.size() || !points.valid(k + 1));
+    if (!draws_marks && !lone) continue;
+    const Point2 at = to_point(points.pixel(k));
+    if (frame.contains(at)) marks.push_back(at);
   }
   placed.marks = distinct(std::move(marks));
-  if (!draws_line) return placed;
-
-  if (static_cast<double>(points.size()) > 4 * std::max(1.0f, layout.plot.width())) points = thinned(points);
-  ClippedLines lines(layout.plot.grown(4));
-  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-    if (points[k].valid() && points[k + 1].valid()) {
-      lines.segment(points[k], points[k + 1]);
-    } else {
-      lines.lift();
-    }
-  }
-  placed.lines = lines.take();
+  if (series.style != SeriesStyle::points) placed.lines = place_lines(points, layout.plot);
   return placed;
 }
 

@@ -30,7 +30,10 @@ std::optional<ChartHit> hit_test(const Chart& chart, const ChartLayout& layout, 
   std::optional<ChartHit> hit;
   for (std::size_t s = 0; s < chart.series.size(); ++s) {
     const Series& series = chart.series[s];
+    // Only the stretch of x within reach is looked at in y.
+    const double left = layout.x.map.value(at.x - radius), right = layout.x.map.value(at.x + radius);
     for (std::size_t k = 0; k < std::min(series.x.size(), series.y.size()); ++k) {
+      if (!(series.x[k] >= left && series.x[k] <= right)) continue;
       const Point2 p = layout.place(chart, {s, k});
       const float distance = std::hypot(p.x - at.x, p.y - at.y);
       if (!(distance <= radius) || (hit && distance >= hit->distance) || !layout.plot.grown(0.5f).contains(p)) continue;

@@ -141,6 +141,8 @@ TEST_CASE("nothing to show, one point, constants, monsters: still an orderly cha
         chart.mark_pareto = true;
         const ChartLayout layout = draw(chart, light_theme(), {0, 0}, {400, 250}, painter);
         CAPTURE(data.size());
+        CAPTURE(data.empty() ? 0 : data.front());
+        CAPTURE(static_cast<int>(scale));
         check_texts(layout);
         CHECK(layout.x.map.min < layout.x.map.max);
         CHECK(painter.all_finite);
