@@ -4,59 +4,63 @@
 
 namespace pf {
 
+namespace {
+
 template <int D>
-Vec<D> Friction<D>::slip_of(const FrictionContact<D>& c, const Vector& u) const {
-  const Vec<D> w = u.segment<D>(c.node * D) - c.wall;
-  return w - c.normal * c.normal.dot(w);
+Vec<D> slip_at(const NodeConstraint<D>& c, const Vector& u) {
+  return rub_slip(c, Vec<D>(u.segment<D>(c.node * D)));
 }
+
+}  // namespace
 
 template <int D>
 double Friction<D>::value(const Vector& u) {
   double E = 0;
-  for (const FrictionContact<D>& c : contacts_) {
-    const double s2 = slip_of(c, u).squaredNorm(), length = std::sqrt(s2 + slip_ * slip_);
-    E += c.coefficient * c.normal_force * s2 / (length + slip_);
-  }
+  for (const NodeConstraint<D>& c : set_.constrained)
+    if (c.rub_bound > 0) E += c.rub_bound * slip_at(c, u).norm();
   return E;
 }
 
 template <int D>
 double Friction<D>::gradient(const Vector& u, Vector& g, Vector& magnitude) {
-  for (const FrictionContact<D>& c : contacts_) {
-    const Vec<D> t = slip_of(c, u);
-    const double f = c.coefficient * c.normal_force;
-    g.segment<D>(c.node * D) += f / std::sqrt(t.squaredNorm() + slip_ * slip_) * t;
-    magnitude[c.node] += f;
+  for (const NodeConstraint<D>& c : set_.constrained) {
+    if (!(c.rub_bound > 0)) continue;
+    const Vec<D> t = slip_at(c, u);
+    const double length = t.norm();
+    if (length > 0) g.segment<D>(c.node * D) += c.rub_bound / length * t;
+    magnitude[c.node] += c.rub_bound;
   }
   return value(u);
 }
 
 template <int D>
 void Friction<D>::prepare_hessian(const Vector& u, bool) {
-  // mu f_n (T - t t^T/l^2)/l, l^2 = |t|^2 + eps^2, T the tangential projector: positive semi-definite as it is.
+  // b (T - t t^T/|t|^2)/|t|, T the tangential projector: positive semi-definite, and zero in 2D.
   block_.clear();
-  for (const FrictionContact<D>& c : contacts_) {
-    const Vec<D> t = slip_of(c, u);
-    const double l2 = t.squaredNorm() + slip_ * slip_;
-    block_.push_back(c.coefficient * c.normal_force / std::sqrt(l2) *
-                     (Mat<D>::Identity() - c.normal * c.normal.transpose() - t * t.transpose() / l2));
+  if constexpr (D == 2) return;
+  for (const NodeConstraint<D>& c : set_.constrained) {
+    if (!(c.rub_bound > 0)) continue;
+    const Vec<D> t = slip_at(c, u);
+    const double length = t.norm();
+    if (!(length > 0)) continue;
+    const Mat<D> T = c.free * (Mat<D>::Identity() - c.rub_normal * c.rub_normal.transpose()) * c.free;
+    block_.emplace_back(c.node, c.rub_bound / length * (T - t * t.transpose() / (length * length)));
   }
 }
 
 template <int D>
 void Friction<D>::hessian_product(const Vector& p, Vector& Hp) {
-  for (std::size_t i = 0; i < contacts_.size(); ++i)
-    Hp.segment<D>(contacts_[i].node * D) += block_[i] * p.segment<D>(contacts_[i].node * D);
+  for (const auto& [node, B] : block_) Hp.segment<D>(node * D) += B * p.segment<D>(node * D);
 }
 
 template <int D>
 void Friction<D>::diagonal(std::vector<Mat<D>>& blocks) {
-  for (std::size_t i = 0; i < contacts_.size(); ++i) blocks[static_cast<std::size_t>(contacts_[i].node)] += block_[i];
+  for (const auto& [node, B] : block_) blocks[static_cast<std::size_t>(node)] += B;
 }
 
 template <int D>
 void Friction<D>::assemble(BlockMatrix<D>& H) {
-  for (std::size_t i = 0; i < contacts_.size(); ++i) H.at(contacts_[i].node, contacts_[i].node) += block_[i];
+  for (const auto& [node, B] : block_) H.at(node, node) += B;
 }
 
 template class Friction<2>;

@@ -1,26 +1,17 @@
-// Coulomb friction of an inner minimisation (THEORY T7): mu f_n h(|t|), t the tangential slip u - wall of a node, f_n frozen.
-// h(s) = sqrt(s^2 + eps^2) - eps rounds the corner at rest over a slip of eps, far below anything visible.
+// Coulomb friction of an inner minimisation (THEORY T7): b |t|, t the tangential slip of a node against its wall, b = mu f_n
+// frozen. The corner at t = 0 belongs to FeasibleSet (a node at rest sticks); this is the smooth part away from it.
 #pragma once
 
 #include "core/energies/energy.hpp"
+#include "core/solvers/feasible_set.hpp"
 
 namespace pf {
-
-/// A node that rubs.
-template <int D>
-struct FrictionContact {
-  std::int32_t node = 0;
-  Vec<D> normal = Vec<D>::Zero();
-  Vec<D> wall = Vec<D>::Zero();  ///< displacement of the wall during the step [m]
-  double coefficient = 0;        ///< mu
-  double normal_force = 0;       ///< f_n >= 0 [N]
-};
 
 template <int D>
 class Friction final : public Energy<D> {
  public:
-  /// `contacts` are referred to; `slip` = eps [m].
-  Friction(const std::vector<FrictionContact<D>>& contacts, double slip) : contacts_(contacts), slip_(slip) {}
+  /// `set` is referred to: its rub_bound may change between minimisations.
+  explicit Friction(const FeasibleSet<D>& set) : set_(set) {}
 
   double value(const Vector& u) override;
   double gradient(const Vector& u, Vector& g, Vector& magnitude) override;
@@ -30,11 +21,8 @@ class Friction final : public Energy<D> {
   void assemble(BlockMatrix<D>& H) override;
 
  private:
-  Vec<D> slip_of(const FrictionContact<D>& c, const Vector& u) const;
-
-  const std::vector<FrictionContact<D>>& contacts_;
-  double slip_;
-  std::vector<Mat<D>> block_;
+  const FeasibleSet<D>& set_;
+  std::vector<std::pair<std::int32_t, Mat<D>>> block_;  ///< of the nodes that slip
 };
 
 extern template class Friction<2>;

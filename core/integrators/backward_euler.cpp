@@ -11,72 +11,85 @@ namespace pf {
 
 namespace {
 
-/// The contacts that may rub, one a node and pressed face; forces still 0.
+/// Whether any boundary of the step rubs; prepares slip's fixed normals.
 template <int D>
-std::vector<FrictionContact<D>> rubbing(const FeasibleSet<D>& set) {
-  std::vector<FrictionContact<D>> contacts;
-  for (const NodeConstraint<D>& c : set.constrained) {
+bool prepare_friction(FeasibleSet<D>& set) {
+  bool any = false;
+  for (NodeConstraint<D>& c : set.constrained) {
     if (!(c.friction > 0)) continue;
-    for (int k = 0; k < c.faces; ++k)
-      contacts.push_back({c.node, c.normal[static_cast<std::size_t>(k)], c.wall, c.friction, 0});
-    if (c.faces == 0 && !c.free.isZero()) {  // slip: the normal is the fixed direction
-      const Mat<D> fixed = Mat<D>::Identity() - c.free;
-      if (std::abs(fixed.trace() - 1) > 1e-9) continue;  // an edge of two slip faces
-      Eigen::Index column = 0;
-      fixed.diagonal().maxCoeff(&column);
-      contacts.push_back({c.node, Vec<D>(fixed.col(column).normalized()), c.wall, c.friction, 0});
-    }
+    any = true;
+    if (c.faces > 0) continue;
+    const Mat<D> fixed = Mat<D>::Identity() - c.free;
+    if (std::abs(fixed.trace() - 1) > 1e-9) continue;  // an edge of two slip walls: nothing left to rub along
+    Eigen::Index column = 0;
+    fixed.diagonal().maxCoeff(&column);
+    c.rub_normal = fixed.col(column).normalized();
   }
-  return contacts;
+  return any;
 }
 
-/// Sets each normal force to the reaction n.g of the minimum; returns the largest change relative to the largest force.
+/// Sets each bound to mu times the reaction n.g of the minimum; `change` receives what that changes, as nodal forces.
 template <int D>
-double update_normal_forces(const Vector& g, std::vector<FrictionContact<D>>& contacts) {
-  double change = 0, largest = 0;
-  for (FrictionContact<D>& c : contacts) {
-    const double f = std::max(0.0, c.normal.dot(g.segment<D>(c.node * D)));
-    change = std::max(change, std::abs(f - c.normal_force));
-    largest = std::max(largest, f);
-    c.normal_force = f;
+void update_friction(const Vector& g, FeasibleSet<D>& set, Vector& change) {
+  change.setZero(g.size());
+  for (NodeConstraint<D>& c : set.constrained) {
+    if (!(c.friction > 0)) continue;
+    const Vec<D> force = g.segment<D>(c.node * D);
+    double normal_force = std::abs(c.rub_normal.dot(force));  // a slip wall holds from both sides
+    if (c.faces > 0) {
+      normal_force = 0;
+      for (int k = 0; k < c.faces; ++k) {
+        const double f = c.normal[static_cast<std::size_t>(k)].dot(force);
+        if (f <= normal_force) continue;
+        normal_force = f;
+        c.rub_normal = c.normal[static_cast<std::size_t>(k)];
+      }
+    }
+    change.segment<D>(c.node * D) = c.rub_normal * (c.friction * normal_force - c.rub_bound);
+    c.rub_bound = c.friction * normal_force;
   }
-  return change == 0 ? 0 : change / std::max(largest, 1e-300);
 }
 
 }  // namespace
 
 template <int D>
 NewtonResult BackwardEuler<D>::advance(const StepProblem<D>& problem) {
+  FeasibleSet<D> set = problem.set;
+  const bool rubs = prepare_friction(set);
   Inertia<D> inertia(problem.mass, problem.grid.v, problem.dt);
   ExternalWork<D> external(problem.force);
-  std::vector<FrictionContact<D>> contacts = rubbing(problem.set);
-  Friction<D> friction(contacts, 1e-6 * problem.plan.spacing());
+  Friction<D> friction(set);
   std::vector<Energy<D>*> terms{&inertia, &problem.elastic, &external};
   if (problem.grab) terms.push_back(problem.grab);
-  if (!contacts.empty()) terms.push_back(&friction);
+  if (rubs) terms.push_back(&friction);
   const Vector free_flight = inertia.free_flight_force();
-  IncrementalPotential<D> potential(problem.plan, problem.mass.lumped(), problem.set, terms, {&free_flight, &problem.force});
+  IncrementalPotential<D> potential(problem.plan, problem.mass.lumped(), set, terms, {&free_flight, &problem.force});
 
-  // Start from rest or from free flight, whichever is lower on E: both are feasible once projected.
+  // Start from rest or from free flight under the loads, whichever is lower on E: both are feasible once projected.
   Vector& u = problem.grid.u;
   u = Vector::Zero(problem.grid.v.size());
-  problem.set.project(u);
+  set.project(u);
   Vector flight = problem.dt * problem.grid.v;
-  problem.set.project(flight);
+  const Vector& m = problem.mass.lumped();
+  const double rounding = 1e-14 * m.maxCoeff();
+  for (Eigen::Index i = 0; i < m.size(); ++i)
+    if (m[i] > rounding) flight.segment<D>(i * D) += problem.dt * problem.dt / m[i] * problem.force.template segment<D>(i * D);
+  set.project(flight);
   const double at_rest = potential.value(u), in_flight = potential.value(flight);
   if (in_flight < at_rest || !std::isfinite(at_rest)) u = flight;
 
-  NewtonResult result = minimise(potential, problem.set, problem.linear, problem.newton, problem.cancel, u);
+  NewtonResult result = minimise(potential, set, problem.linear, problem.newton, problem.cancel, u);
   constexpr int most = 100;
-  for (int k = 0; !contacts.empty() && result.status == NewtonStatus::converged; ++k) {
-    Vector g;
+  Vector g, change;
+  for (int k = 0; rubs && result.status == NewtonStatus::converged; ++k) {
     potential.gradient(u, g);
-    if (update_normal_forces(g, contacts) <= problem.newton.tolerance) break;
+    update_friction(g, set, change);
+    if (potential.norm(change) <= problem.newton.tolerance * potential.scale()) break;
     if (k == most) {
       result.status = NewtonStatus::not_converged;
       break;
     }
-    NewtonResult again = minimise(potential, problem.set, problem.linear, problem.newton, problem.cancel, u);
+    NewtonResult again = minimise(potential, set, problem.linear, problem.newton, problem.cancel, u);
     again.linear_iterations += result.linear_iterations;
     again.iterations.insert(again.iterations.begin(), result.iterations.begin(), result.iterations.end());
     result = std::move(again);

@@ -69,32 +69,82 @@ void FeasibleSet<D>::project(Vector& u) const {
   }
 }
 
+namespace {
+
+/// The faces that u touches.
 template <int D>
-void FeasibleSet<D>::active_directions(const Vector& u, const Vector& g, std::vector<Mat<D>>& directions) const {
+unsigned touched_faces(const NodeConstraint<D>& c, const Vec<D>& u) {
+  unsigned touched = 0;
+  for (int k = 0; k < c.faces; ++k) {
+    const double gap = c.normal[static_cast<std::size_t>(k)].dot(u) - c.offset[static_cast<std::size_t>(k)];
+    if (gap <= 1e-12 * (u.norm() + std::abs(c.offset[static_cast<std::size_t>(k)]))) touched |= 1u << k;
+  }
+  return touched;
+}
+
+/// Takes `axis` out of a projector.
+template <int D>
+void remove_axis(const Vec<D>& axis, Mat<D>& projector) {
+  const Vec<D> left = projector * axis;
+  const double length = left.norm();
+  if (length > 1e-9) projector -= (left / length) * (left / length).transpose();
+}
+
+template <int D>
+bool at_rest(const NodeConstraint<D>& c, const Vec<D>& slip) {
+  return slip.norm() <= 1e-14 * (c.wall.norm() + 1e-300) || slip.isZero(0);
+}
+
+}  // namespace
+
+template <int D>
+void FeasibleSet<D>::project_from(const Vector& from, const Vector& g, Vector& u) const {
+  project(u);
+  for (const NodeConstraint<D>& c : constrained) {
+    if (!(c.rub_bound > 0)) continue;
+    const Vec<D> before = rub_slip(c, Vec<D>(from.segment<D>(c.node * D)));
+    const Vec<D> value = u.segment<D>(c.node * D), slip = rub_slip(c, value);
+    Vec<D> heading = before;
+    if (at_rest(c, before)) {
+      const Vec<D> pull = c.free * -g.segment<D>(c.node * D);
+      heading = pull - c.rub_normal * c.rub_normal.dot(pull);
+    }
+    if (slip.dot(heading) <= 0) u.segment<D>(c.node * D) = value - slip;
+  }
+}
+
+template <int D>
+void FeasibleSet<D>::active_directions(const Vector& u, Vector& g, std::vector<Mat<D>>& directions) const {
   directions.resize(constrained.size());
   for (std::size_t i = 0; i < constrained.size(); ++i) {
     const NodeConstraint<D>& c = constrained[i];
     directions[i] = c.free;
-    if (c.faces == 0) continue;
-    const Vec<D> value = u.segment<D>(c.node * D);
-    unsigned touched = 0;
-    for (int k = 0; k < c.faces; ++k) {
-      const double gap = c.normal[static_cast<std::size_t>(k)].dot(value) - c.offset[static_cast<std::size_t>(k)];
-      if (gap <= 1e-12 * (value.norm() + std::abs(c.offset[static_cast<std::size_t>(k)]))) touched |= 1u << k;
-    }
-    if (touched == 0) continue;
-    // The steepest descent that stays in the set: what of -g the touched faces take away is their reaction.
-    Vec<D> descent = c.free * -g.segment<D>(c.node * D);
-    const double scale = descent.norm();
+    auto force = g.segment<D>(c.node * D);
+    force = (c.free * force).eval();
+    const double scale = force.norm();
     if (scale == 0) continue;
-    descent /= scale;
-    unsigned pressed = 0;
-    nearest<D>(c, descent, std::array<double, D>{}, touched, pressed);
-    for (int k = 0; k < c.faces; ++k) {
-      if (!(pressed >> k & 1)) continue;
-      Vec<D> axis = directions[i] * c.normal[static_cast<std::size_t>(k)];
-      const double length = axis.norm();
-      if (length > 1e-9) directions[i] -= (axis / length) * (axis / length).transpose();
+    const Vec<D> value = u.segment<D>(c.node * D);
+    if (const unsigned touched = touched_faces(c, value)) {
+      // The steepest descent that stays in the set: what of -g the touched faces take away is their reaction.
+      unsigned pressed = 0;
+      nearest<D>(c, Vec<D>(force / -scale), std::array<double, D>{}, touched, pressed);
+      for (int k = 0; k < c.faces; ++k)
+        if (pressed >> k & 1) remove_axis<D>(c.normal[static_cast<std::size_t>(k)], directions[i]);
+      force = (directions[i] * force).eval();
+    }
+    if (c.rub_bound > 0 && at_rest(c, rub_slip(c, value))) {
+      const Vec<D> along = directions[i] * (force - c.rub_normal * c.rub_normal.dot(force));
+      const double pull = along.norm();
+      if (pull <= c.rub_bound) {
+        const Mat<D> Q = directions[i];
+        for (int a = 0; a < D; ++a) {
+          const Vec<D> axis = Q.col(a) - c.rub_normal * c.rub_normal.dot(Q.col(a));
+          remove_axis<D>(axis, directions[i]);
+        }
+        force = (directions[i] * force).eval();
+      } else {
+        force -= along * (c.rub_bound / pull);
+      }
     }
   }
 }

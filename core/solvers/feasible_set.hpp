@@ -18,13 +18,22 @@ struct NodeConstraint {
   int faces = 0;                     ///< unilateral: separation is allowed, penetration is not
   std::array<Vec<D>, D> normal{};    ///< unit, out of the solid
   std::array<double, D> offset{};    ///< n . (displacement of the wall) [m]
-  double friction = 0;               ///< Coulomb's coefficient against the faces, or against slip's fixed normal
   Vec<D> wall = Vec<D>::Zero();      ///< displacement of the wall during the step [m]
-  std::uint16_t boundary = 0;        ///< the boundary whose friction acts
+  double friction = 0;               ///< Coulomb's coefficient
+  Vec<D> rub_normal = Vec<D>::Zero();  ///< the face that it rubs against
+  double rub_bound = 0;                ///< mu f_n, frozen during a minimisation [N]; 0: no friction
   bool by_constraint = false;        ///< fixed by "constraints", not by a boundary
 };
 
-/// A closed convex set, the product of one cone or subspace a node.
+/// Tangential slip of a displacement against the wall that a node rubs on.
+template <int D>
+Vec<D> rub_slip(const NodeConstraint<D>& c, const Vec<D>& u) {
+  const Vec<D> w = u - c.wall;
+  return c.free * (w - c.rub_normal * c.rub_normal.dot(w));
+}
+
+/// A closed convex set, the product of one cone or subspace a node, with frozen friction b |t| as the one part of the
+/// function that has a corner: at rest, t = 0, the node sticks while the tangential gradient stays below b.
 template <int D>
 class FeasibleSet {
  public:
@@ -32,9 +41,13 @@ class FeasibleSet {
 
   /// The nearest point of the set, node by node.
   void project(Vector& u) const;
+  /// project(), then stops every rubbing node at rest where the way from `from` along -`g` passes through rest: beyond the
+  /// corner the gradient is another one.
+  void project_from(const Vector& from, const Vector& g, Vector& u) const;
   /// For each constrained node the projector on the directions that a minimiser may still take at u when the gradient
-  /// is g: fixed directions and faces that are touched and pressed on are left out.
-  void active_directions(const Vector& u, const Vector& g, std::vector<Mat<D>>& directions) const;
+  /// is g: fixed directions, faces that are touched and pressed on, and the slip of nodes that stick are left out. `g`
+  /// becomes what these directions leave of it, the smallest subgradient: zero at a minimum.
+  void active_directions(const Vector& u, Vector& g, std::vector<Mat<D>>& directions) const;
   /// Zeroes what the projectors leave out.
   void restrict_to(const std::vector<Mat<D>>& directions, Vector& p) const;
 };

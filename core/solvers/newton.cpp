@@ -49,9 +49,8 @@ class Minimiser {
 
 template <int D>
 void Minimiser<D>::reduce() {
-  set_.active_directions(u_, g_, directions_);
   free_g_ = g_;
-  set_.restrict_to(directions_, free_g_);
+  set_.active_directions(u_, free_g_, directions_);
   norm_ = objective_.norm(free_g_);
   // A problem without any force is solved where it stands.
   const double scale = objective_.scale();
@@ -95,10 +94,10 @@ bool Minimiser<D>::search_energy(NewtonIteration& record, double slope) {
   double alpha = 1;
   for (int k = 0; k < 30; ++k, alpha *= 0.5) {
     trial_ = u_ + alpha * d_;
-    set_.project(trial_);
+    set_.project_from(u_, g_, trial_);
     // The full step is nearly always taken, and then its gradient is needed next.
     const double E = k == 0 ? objective_.gradient(trial_, trial_g_) : objective_.value(trial_);
-    const double decrease = set_.constrained.empty() ? alpha * slope : std::min(0.0, g_.dot(trial_ - u_));
+    const double decrease = set_.constrained.empty() ? alpha * slope : std::min(0.0, free_g_.dot(trial_ - u_));
     if (std::isfinite(E) && E <= E_ + sufficient * decrease && (decrease < 0 || E < E_)) {
       record.step_length = alpha;
       u_.swap(trial_);
@@ -123,7 +122,7 @@ bool Minimiser<D>::search_residual(NewtonIteration& record) {
   double alpha = 1;
   for (int k = 0; k < 8; ++k, alpha *= 0.5) {
     u_ = start + alpha * d_;
-    set_.project(u_);
+    set_.project_from(start, start_g, u_);
     E_ = objective_.gradient(u_, g_);
     const double rounding = 1e-12 * std::max(objective_.energy_scale(), std::abs(start_E));
     if (!std::isfinite(E_) || E_ > start_E + rounding) continue;

@@ -77,10 +77,7 @@ void Conditions<D>::touch(NodeConstraint<D>& c, const Vec<D>& x, const std::vect
       const Vec<D> n = full.head<D>();
       const Vec<D> axis = c.free * n;
       if (axis.norm() < 1e-6) continue;  // a constraint or another wall has it already
-      if (wall.friction > 0) {
-        c.friction = wall.friction;
-        c.boundary = static_cast<std::uint16_t>(k);
-      }
+      c.friction = std::max(c.friction, wall.friction);
       c.wall = moved[k];
       if (wall.contact == Wall::slip) {
         const Vec<D> direction = axis.normalized();

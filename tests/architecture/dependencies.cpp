@@ -26,7 +26,7 @@ const std::map<std::string, Folders> core_rule{
     {"materials", {"params", "math"}},
     {"grid", {"params", "math", "bases"}},
     {"transfers", {"params", "math", "bases", "materials", "grid"}},
-    {"energies", {"params", "math", "bases", "materials", "grid"}},
+    {"energies", {"params", "math", "bases", "materials", "grid", "solvers"}},
     {"solvers", {"params", "math"}},
     {"integrators", {"params", "math", "bases", "materials", "grid", "transfers", "energies", "solvers"}},
     {"scene", {"params", "math", "bases", "materials", "transfers", "solvers", "integrators", "diagnostics"}},
