@@ -78,18 +78,23 @@ NewtonResult BackwardEuler<D>::advance(const StepProblem<D>& problem) {
   const double at_rest = potential.value(u), in_flight = potential.value(flight);
   if (in_flight < at_rest || !std::isfinite(at_rest)) u = flight;
 
-  NewtonResult result = minimise(potential, set, problem.linear, problem.newton, problem.cancel, u);
+  // While the friction forces settle, each minimisation need only be as exact as they are; the last one is exact.
+  NewtonSettings newton = problem.newton;
+  if (rubs) newton.tolerance = std::max(newton.tolerance, 1e-2);
+  NewtonResult result = minimise(potential, set, problem.linear, newton, problem.cancel, u);
   constexpr int most = 100;
   Vector g, change;
   for (int k = 0; rubs && result.status == NewtonStatus::converged; ++k) {
     potential.gradient(u, g);
     update_friction(g, set, change);
-    if (potential.norm(change) <= problem.newton.tolerance * potential.scale()) break;
+    const double unsettled = potential.norm(change) / std::max(potential.scale(), 1e-300);
+    if (newton.tolerance == problem.newton.tolerance && unsettled <= newton.tolerance) break;
     if (k == most) {
       result.status = NewtonStatus::not_converged;
       break;
     }
-    NewtonResult again = minimise(potential, set, problem.linear, problem.newton, problem.cancel, u);
+    newton.tolerance = std::clamp(0.1 * unsettled, problem.newton.tolerance, 1e-2);
+    NewtonResult again = minimise(potential, set, problem.linear, newton, problem.cancel, u);
     again.linear_iterations += result.linear_iterations;
     again.iterations.insert(again.iterations.begin(), result.iterations.begin(), result.iterations.end());
     result = std::move(again);

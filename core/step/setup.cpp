@@ -33,7 +33,7 @@ SimulationOf<D>::SimulationOf(const Scene& scene, const SimulationOptions& optio
       parallel_(options.threads),
       conditions_(scene),
       loads_(scene),
-      known_(scene),
+      known_(scene, conditions_),
       view_(std::make_shared<SceneView>(make_scene_view(scene))),
       end_(scene.time.end) {
   for (std::size_t k = 0; k < scene_.bodies.size(); ++k) add_body(k);
@@ -120,9 +120,6 @@ bool SimulationOf<D>::apply(const Scene& scene) {
   make_settings();
   if (was_affine && !transfer_->affine())
     for (Mat<D>& C : particles_.C) C.setZero();
-  if (known_.known()) known_.set_laws(laws_);
-  const long step = accepted_.step;
-  accepted_.step = step;
   accepted_.balance = particle_balance<D>(particles_, laws_, plan_, transfer_->affine(), loads_.gravity());
   return true;
 }

@@ -56,6 +56,7 @@ void SimulationOf<D>::save_state(std::ostream& out) const {
   particles_.each([&](const auto& values) { put(out, values); });
   put(out, conditions_.displacement());
   put(out, loads_.surface().x);
+  put(out, known_.surface().x);
 }
 
 template <int D>
@@ -76,12 +77,14 @@ void SimulationOf<D>::load_state(std::istream& in) {
   get(in, linear);
   get(in, direct);
   loaded.each([&](auto& values) { get(in, values, particles_.size()); });
-  std::vector<Vec<D>> displacement, surface;
+  std::vector<Vec<D>> displacement, surface, manufactured;
   get(in, displacement, conditions_.displacement().size());
   get(in, surface, loads_.surface().x.size());
+  get(in, manufactured, known_.surface().x.size());
   particles_ = std::move(loaded);
   conditions_.displacement() = std::move(displacement);
   loads_.surface().x = std::move(surface);
+  known_.surface().x = std::move(manufactured);
   time_ = time;
   dt_limit_ = dt_limit;
   build_plan_or_throw();

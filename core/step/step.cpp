@@ -134,7 +134,7 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(double dt, const std:
   lap(report.ms.transfer);
   const FeasibleSet<D> set = conditions_.at(plan_, time_, dt);
   Vector force = loads_.force(plan_, particles_, grid_.mass, stage, parallel_);
-  if (known_.manufactured()) known_.add_force(plan_, particles_, stage, parallel_, force);
+  if (known_.manufactured()) known_.add_force(plan_, particles_, laws_, scene_, stage, parallel_, force);
   const MassMatrix<D> M(plan_, particles_, grid_.mass, scene_.integrator.mass == "consistent", parallel_, work_);
   ElasticEnergy<D> elastic(plan_, particles_, laws_, parallel_, work_);
   std::optional<GrabSpring<D>> spring;
@@ -159,7 +159,8 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(double dt, const std:
   const Attempt verdict = judge(solved, dt, report);
   if (verdict.outcome != Attempt::accepted) return verdict;
   lap(report.ms.update);
-  loads_.move(plan_, grid_.u);
+  loads_.surface().move(plan_, grid_.u);
+  known_.surface().move(plan_, grid_.u);
   conditions_.advance(time_, dt);
   time_ += dt;
   const double nearest = std::round(time_ / scene_.time.step) * scene_.time.step;
@@ -241,7 +242,7 @@ void SimulationOf<D>::fill_diagnostics(StepReport& report) const {
   report.min_J = check.min_J;
   report.max_J = check.max_J;
   if (report.step == 0) report.active_nodes = plan_.node_count();
-  if (known_.known()) report.error = known_.errors(particles_, time_);
+  if (known_.known()) report.error = known_.errors(particles_, time_, parallel_);
 }
 
 template class SimulationOf<2>;
