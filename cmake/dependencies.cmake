@@ -21,8 +21,3 @@ endif()
 # stb is header-only here; CLI11 too.
 find_path(STB_INCLUDE_DIR stb/stb_image_write.h REQUIRED)
 find_path(CLI11_INCLUDE_DIR CLI/CLI.hpp REQUIRED)
-
-# Where assets are found: next to an installed binary, else in the source tree.
-add_library(pf_assets INTERFACE)
-target_compile_definitions(pf_assets INTERFACE PUSHFORWARD_SOURCE_ASSETS="${PROJECT_SOURCE_DIR}/assets"
-  PUSHFORWARD_SOURCE_SHADERS="${PROJECT_SOURCE_DIR}/shaders")
