@@ -33,7 +33,7 @@ Series residuals(const StepReport& report) {
 
 void iteration_table(const StepReport& report) {
   if (!ImGui::BeginTable("newton", 4, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings)) return;
-  for (const char* head : {"", "Residual", "Length", "Linear"}) {
+  for (const char* head : {"", "Residual", "Step length", "Linear"}) {
     ImGui::TableNextColumn();
     ImGui::TextDisabled("%s", head);
   }
@@ -107,6 +107,8 @@ void draw_convergence_plot(AppContext& context) {
     chart.series.push_back(std::move(s));
   }
   chart.x.max = longest;
+  const int every = longest > 12 ? 5 : 1;
+  for (int k = 0; k <= static_cast<int>(longest); k += every) chart.x.ticks.emplace_back(k, std::to_string(k));
   if (report != nullptr) mark_projected(chart, *report);
   chart.references.push_back({context.scene.solver.newton_tolerance, false, "Tolerance"});
   plot(context, "convergence", std::move(chart), m.view[2]);

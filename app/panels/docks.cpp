@@ -2,7 +2,13 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "app/panels/memory.hpp"
+#include "app/theme.hpp"
+#include "app/widgets/run_list.hpp"
 #include "app/widgets/text.hpp"
 
 namespace pf::app {
@@ -13,9 +19,45 @@ namespace {
 bool panel_header(const char* title, bool open) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(em(0.5F), em(0.35F)));
   ImGui::SetNextItemOpen(open);
+  ImGui::PushFont(bold_font());
   const bool now = ImGui::TreeNodeEx(title, ImGuiTreeNodeFlags_CollapsingHeader | ImGuiTreeNodeFlags_NoAutoOpenOnLog);
+  ImGui::PopFont();
   ImGui::PopStyleVar();
   return now != open;
+}
+
+bool fits_tabs(const std::vector<const Panel*>& plots) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  float width = pin_width();
+  for (const Panel* p : plots)
+    width += ImGui::CalcTextSize(p->title).x + 2 * style.FramePadding.x + style.ItemInnerSpacing.x;
+  return width <= ImGui::GetContentRegionAvail().x;
+}
+
+void choose_tab(AppContext& context, const std::vector<const Panel*>& plots, PanelMemory& m) {
+  const bool force = m.show_plot || m.plot.empty();
+  m.show_plot = false;
+  if (m.plot.empty()) m.plot = plots.front()->title;
+  std::string shown = m.plot;
+  for (const Panel* p : plots) {
+    const bool bring = force && m.plot == p->title;
+    if (!ImGui::BeginTabItem(p->title, nullptr, bring ? ImGuiTabItemFlags_SetSelected : 0)) continue;
+    if (!force) shown = p->title;
+    ImGui::EndTabItem();
+  }
+  m.plot = shown;
+  pin_tab(context);
+}
+
+/// Where the tabs would be cut.
+void choose_plot(const std::vector<const Panel*>& plots, PanelMemory& m) {
+  m.show_plot = true;  // the tabs, when they come back, follow
+  if (m.plot.empty()) m.plot = plots.front()->title;
+  ImGui::SetNextItemWidth(std::min(em(12), ImGui::GetContentRegionAvail().x));
+  if (!ImGui::BeginCombo("##plot", m.plot.c_str())) return;
+  for (const Panel* p : plots)
+    if (ImGui::Selectable(p->title, m.plot == p->title)) m.plot = p->title;
+  ImGui::EndCombo();
 }
 
 }  // namespace
@@ -59,20 +101,23 @@ void draw_inspector(AppContext& context) {
 
 void draw_bottom_drawer(AppContext& context) {
   PanelMemory& m = memory(context);
-  if (!ImGui::BeginTabBar("plots", ImGuiTabBarFlags_FittingPolicyScroll)) return;
-  const int show = m.show_plot;
-  m.show_plot = -1;
-  int index = 0;
-  for (const Panel& panel : panels()) {
-    if (panel.dock != Dock::bottom) continue;
-    const int here = index++;
-    if (!panel.relevant(context)) continue;
-    if (!ImGui::BeginTabItem(panel.title, nullptr, show == here ? ImGuiTabItemFlags_SetSelected : 0)) continue;
-    // A closed drawer is its tabs alone.
-    if (ImGui::GetContentRegionAvail().y > em(4)) panel.draw(context);
-    ImGui::EndTabItem();
+  std::vector<const Panel*> plots;
+  for (const Panel& panel : panels())
+    if (panel.dock == Dock::bottom && panel.relevant(context)) plots.push_back(&panel);
+  if (plots.empty()) return;
+  if (!fits_tabs(plots)) {
+    choose_plot(plots, m);
+  } else if (ImGui::BeginTabBar("plots")) {
+    choose_tab(context, plots, m);
+    ImGui::EndTabBar();
   }
-  ImGui::EndTabBar();
+  const auto shown = std::find_if(plots.begin(), plots.end(), [&](const Panel* p) { return m.plot == p->title; });
+  // A closed drawer is its tabs alone.
+  if (shown != plots.end() && ImGui::GetContentRegionAvail().y > em(4)) {
+    ImGui::PushID((*shown)->title);
+    (*shown)->draw(context);
+    ImGui::PopID();
+  }
 }
 
 }  // namespace pf::app

@@ -69,7 +69,9 @@ void draw_material_panel(AppContext& context) {
   setting_widget(context, pointer_to({"materials", material.name, "model"}),
                  {.edits = [&](const nlohmann::json& to) { return change_law(material, to.get<std::string>()); }});
   if (const LawInfo* law = find_law(material.model)) {
-    muted(law->about);
+    const std::size_t stop = law->about.find(". ");
+    muted(law->about.substr(0, stop == std::string_view::npos ? stop : stop + 1));
+    tooltip(law->about);
     gap();
   }
   setting_widget(context, pointer_to({"materials", material.name, "density"}));

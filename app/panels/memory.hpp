@@ -25,7 +25,8 @@ struct PanelMemory {
 
   Typing typing;
   int open_left = 0;           ///< index into the left panels, -1: all closed
-  int show_plot = -1;          ///< index of a bottom panel to bring to the front in the next frame; -1: none
+  std::string plot;            ///< title of the bottom panel shown
+  bool show_plot = false;      ///< bring it to the front in the next frame
   std::string scene_material;  ///< chosen in the material panel
   GalleryMemory gallery;
   PlotMemory plots;

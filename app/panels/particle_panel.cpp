@@ -6,6 +6,8 @@
 #include <Eigen/SVD>
 #include <array>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "app/panels/panels.hpp"
 #include "app/widgets/text.hpp"
@@ -21,42 +23,45 @@ std::string body_name(const AppContext& context, std::size_t body) {
   return name.empty() ? "Body " + std::to_string(body + 1) : name;
 }
 
-void vector_rows(const char* title, const Vec3& v, int d, const char* unit) {
-  heading(title);
-  const std::array<const char*, 3> names{"x", "y", "z"};
-  for (int a = 0; a < d; ++a) property(names[static_cast<std::size_t>(a)], quantity(v[a], unit));
+/// A factor for all entries and the unit with its prefix: one prefix for each entry would be hard to compare.
+std::pair<double, std::string> common_unit(double largest, const std::string& unit) {
+  const std::array<std::pair<double, const char*>, 3> prefixes{{{1e9, "G"}, {1e6, "M"}, {1e3, "k"}}};
+  if (unit == "Pa")
+    for (const auto& [scale, prefix] : prefixes)
+      if (largest >= scale) return {scale, prefix + unit};
+  return {1, unit};
 }
 
-/// The upper left n x n block, its columns aligned at the right; one prefix would hide small entries, so numbers
-/// are scaled by the largest one.
-void matrix_rows(const char* title, const Mat3& a, int n, const char* unit) {
-  heading(title);
-  double factor = 1;
-  std::string shown(unit);
-  if (!shown.empty()) {
-    const double size = a.topLeftCorner(n, n).cwiseAbs().maxCoeff();
-    const std::array<std::pair<double, const char*>, 3> prefixes{{{1e9, "G"}, {1e6, "M"}, {1e3, "k"}}};
-    for (const auto& [scale, prefix] : prefixes)
-      if (size >= scale) {
-        factor = scale;
-        shown = prefix + shown;
-        break;
-      }
-    ImGui::SameLine();
-    ImGui::TextDisabled("[%s]", shown.c_str());
+/// Rows x columns of the upper left corner, right-aligned, with as many digits as fit.
+void table(const char* title, const Mat3& a, int rows, int columns, const std::string& unit) {
+  const auto [factor, shown] = common_unit(a.topLeftCorner(rows, columns).cwiseAbs().maxCoeff(), unit);
+  heading((shown.empty() ? std::string(title) : title + (" [" + shown + "]")).c_str());
+  const float width = ImGui::GetContentRegionAvail().x / static_cast<float>(columns), left = ImGui::GetCursorPosX();
+  const auto text = [&, f = factor](int i, int j, int digits) { return quantity(a(i, j) / f, "", digits); };
+  int digits = 5;
+  for (bool fits = false; !fits && digits > 2;) {
+    fits = true;
+    --digits;
+    for (int i = 0; i < rows; ++i)
+      for (int j = 0; j < columns; ++j) fits &= ImGui::CalcTextSize(text(i, j, digits).c_str()).x + em(0.4F) <= width;
   }
-  const float width = ImGui::GetContentRegionAvail().x / static_cast<float>(n), left = ImGui::GetCursorPosX();
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) {
-      const std::string text = quantity(a(i, j) / factor, "", 4);
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < columns; ++j) {
+      const std::string entry = text(i, j, digits);
       if (j > 0) ImGui::SameLine();
-      ImGui::SetCursorPosX(left + width * static_cast<float>(j + 1) - ImGui::CalcTextSize(text.c_str()).x);
-      text_unformatted(text);
+      ImGui::SetCursorPosX(left + width * static_cast<float>(j + 1) - ImGui::CalcTextSize(entry.c_str()).x);
+      text_unformatted(entry);
     }
 }
 
+void vector_row(const char* title, const Vec3& v, int d, const char* unit) {
+  Mat3 row = Mat3::Zero();
+  row.row(0) = v.transpose();
+  table(title, row, 1, d, unit);
+}
+
 void draw_stretch(const ParticleState& p, int d) {
-  matrix_rows("Deformation gradient F", p.F, d, "");
+  table("Deformation gradient F", p.F, d, d, "");
   gap(0.25F);
   property("Volume ratio J", quantity(p.F.determinant(), ""));
   const Eigen::JacobiSVD<Mat3> svd(p.F);
@@ -71,7 +76,7 @@ void draw_stretch(const ParticleState& p, int d) {
 }
 
 void draw_stress(const ParticleState& p, int d) {
-  matrix_rows("Cauchy stress", p.sigma, d, "Pa");
+  table("Cauchy stress", p.sigma, d, d, "Pa");
   gap(0.25F);
   if (d == 2) property("Across the plane", quantity(p.sigma(2, 2), "Pa"));
   const double pressure = -p.sigma.trace() / 3;
@@ -106,9 +111,9 @@ void draw_particle_panel(AppContext& context) {
   if (p.material < context.scene.materials.size()) property("Material", context.scene.materials[p.material].name);
   property("Mass", quantity(p.mass, "kg"));
   property("Volume at rest", quantity(p.volume0, d == 3 ? "m\xc2\xb3" : "m\xc2\xb2"));
-  vector_rows("Position", p.x, d, "m");
-  vector_rows("Position at rest", p.X, d, "m");
-  vector_rows("Velocity", p.v, d, "m/s");
+  vector_row("Position", p.x, d, "m");
+  vector_row("Position at rest", p.X, d, "m");
+  vector_row("Velocity", p.v, d, "m/s");
   property("Speed", quantity(p.v.norm(), "m/s"));
   draw_stretch(p, d);
   draw_stress(p, d);

@@ -10,6 +10,7 @@
 #include "app/widgets/plot.hpp"
 #include "app/widgets/run_list.hpp"
 #include "app/widgets/units.hpp"
+#include "core/charts/theme.hpp"
 
 namespace pf::app {
 
@@ -32,6 +33,33 @@ void list_phases(const AppContext& context, const Curves& c) {
   }
 }
 
+/// Bars of the phases on one another, each the mean of as many steps as fit a bar of some pixels.
+void add_bars(Chart& chart, const Curves& c, const ChartTheme& theme) {
+  constexpr std::size_t most_bars = 100;
+  const std::size_t n = c.size(), first = n > 0 && c.step_ms[0] == 0 ? 1 : 0;  // no work before the first step
+  if (n < first + 2) return;
+  const std::size_t bars = std::min(most_bars, n - first);
+  for (std::size_t b = 0; b < bars; ++b) {
+    const std::size_t from = first + b * (n - first) / bars, to = first + (b + 1) * (n - first) / bars;
+    const double begin = from > 0 ? c.time[from - 1] : c.time[from], end = c.time[to - 1];
+    double height = 0;
+    for (std::size_t i = 0; i < c.phase.size(); ++i) {
+      const double sum = std::accumulate(c.phase[i].begin() + static_cast<std::ptrdiff_t>(from),
+                                         c.phase[i].begin() + static_cast<std::ptrdiff_t>(to), 0.0);
+      const double top = height + 1e-3 * sum / static_cast<double>(to - from);
+      Cell cell;
+      cell.x_min = begin;
+      cell.x_max = end;
+      cell.y_min = height;
+      cell.y_max = top;
+      cell.fill = theme.series[i % theme.series.size()];
+      cell.fill.a = 0.55F;
+      chart.cells.push_back(cell);
+      height = top;
+    }
+  }
+}
+
 }  // namespace
 
 void draw_phases_plot(AppContext& context) {
@@ -42,14 +70,14 @@ void draw_phases_plot(AppContext& context) {
     end_run_list();
   }
 
-  Chart chart = time_chart("Time a step", "s");
+  Chart chart = time_chart("Time per step", "s");
   chart.y.include_zero = true;
   std::vector<double> stacked(c.size(), 0.0);
-  std::vector<double> time = c.time;
   for (std::size_t i = 0; i < c.phase.size(); ++i) {
     for (std::size_t k = 0; k < stacked.size(); ++k) stacked[k] += 1e-3 * c.phase[i][k];
-    add_series(chart, phase_names[i], time, stacked, i, Role::current);
+    add_series(chart, phase_names[i], c.time, stacked, i, Role::current);
   }
+  add_bars(chart, c, context.view.theme == Theme::dark ? dark_theme() : light_theme());
   plot(context, "phases", std::move(chart), m.view[3]);
 }
 

@@ -21,7 +21,7 @@ void add_series(Chart& chart, const std::string& label, const std::vector<double
   series.x = x;
   series.y = y;
   thin(series.x, series.y, enough);
-  series.color_index = color;
+  if (role == Role::current) series.color_index = color;  // pinned ones are grey
   series.pinned = role == Role::pinned;
   series.dashed = dashed;
   chart.series.push_back(std::move(series));

@@ -29,7 +29,7 @@ constexpr std::array effects{
 }  // namespace
 
 void draw_transfer_panel(AppContext& context) {
-  setting_widget(context, "/transfer/type");
+  setting_widget(context, "/transfer/type", {.label = "From grid to particles"});
   const std::string type = context.scene.transfer.type;
   const auto effect = std::find_if(effects.begin(), effects.end(), [&](const Effect& e) { return e.type == type; });
   if (effect != effects.end()) {

@@ -55,12 +55,20 @@ std::optional<double> typing_field(const NumberControl& c, double number) {
   return result;
 }
 
-void value_button(const NumberControl& c, const std::string& text, double number, float width) {
-  ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
-  ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, ImVec2(1, 0.5F));
-  if (ImGui::Button((text + "###value").c_str(), ImVec2(width, 0))) c.typing.begin(c.key, number);
-  ImGui::PopStyleVar();
-  ImGui::PopStyleColor();
+/// The value as text that ends where the column ends; a line below it shows that it can be clicked.
+void value_text_button(const NumberControl& c, const std::string& text, double number) {
+  const ImVec2 at = ImGui::GetCursorScreenPos(), size = ImGui::CalcTextSize(text.c_str());
+  const float pad = ImGui::GetStyle().FramePadding.y;
+  if (ImGui::InvisibleButton("value", ImVec2(size.x, ImGui::GetFrameHeight()))) c.typing.begin(c.key, number);
+  const bool hovered = ImGui::IsItemHovered();
+  const ImU32 color = ImGui::GetColorU32(hovered ? ImGuiCol_CheckMark : ImGuiCol_Text);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddText(ImVec2(at.x, at.y + pad), color, text.c_str());
+  if (hovered) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
+    const float y = at.y + pad + size.y;
+    draw.AddLine(ImVec2(at.x, y), ImVec2(at.x + size.x, y), color, em(0.06F));
+  }
   tooltip("Click to type a value: a number, with its unit or a prefix if you like (25 kPa), or a sum (1/60).");
   if (c.after_item) c.after_item();
 }
@@ -101,20 +109,18 @@ std::optional<double> number_control(const NumberControl& c, double number) {
   const float available = ImGui::GetContentRegionAvail().x, left = ImGui::GetCursorPosX();
   const bool typing = c.typing.key == c.key;
   const std::string text = quantity(number, c.setting.unit);
-  const float text_width = ImGui::CalcTextSize(text.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
-  const float value_width = std::min(available, std::max(em(typing ? 8 : 3), text_width));
+  const float value_width = std::min(available, typing ? em(8) : ImGui::CalcTextSize(text.c_str()).x);
   const float label_width = ImGui::CalcTextSize(c.label.c_str()).x + (c.needs_reset ? em(mark_width) : 0) + 1;
   const bool one_line = label_width + em(0.5F) + value_width <= available;
   setting_label(c.label, c.help, c.needs_reset, one_line ? label_width : available);
   if (one_line) ImGui::SameLine();
-  // The value's text, not its frame, ends where the column ends.
   ImGui::SetCursorPosX(left + available - value_width);
   ImGui::SetNextItemWidth(value_width);
   std::optional<double> result;
   if (typing)
     result = typing_field(c, number);
   else
-    value_button(c, text, number, value_width);
+    value_text_button(c, text, number);
 
   SliderRange range{c.setting.slider_min, c.setting.slider_max, c.setting.logarithmic && c.setting.slider_min > 0,
                     c.setting.kind == SettingKind::integer};

@@ -103,8 +103,12 @@ void plot(AppContext& context, const char* stem, Chart chart, PlotView& view) {
   const ImVec2 size = ImGui::GetContentRegionAvail();
   if (size.x < em(8) || size.y < em(5)) return;
   load_view(chart, view);
+  const Chart whole = chart;
   if (room_for_list()) chart.legend = LegendPlace::none;  // the list is its legend
-  const ChartTheme theme = chart_theme(context, em(0.85F));
+  // The tab says what it is; turned, a long name would not fit beside a low plot.
+  if (size.y < em(16)) chart.y.title.clear();
+  ChartTheme theme = chart_theme(context, em(0.85F));
+  theme.surface.a = 0;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Point2 low{at.x, at.y}, high{at.x + size.x, at.y + size.y};
   ImGui::InvisibleButton(stem, size);
@@ -116,7 +120,7 @@ void plot(AppContext& context, const char* stem, Chart chart, PlotView& view) {
     if (const auto hit = hit_test(chart, layout, mouse, em(1.5F))) draw_hover(chart, theme, layout, *hit, painter);
   }
   handle_mouse(chart, layout, view);
-  menu(context, chart, stem, view);
+  menu(context, whole, stem, view);
 }
 
 }  // namespace pf::app

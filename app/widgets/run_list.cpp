@@ -12,6 +12,8 @@ namespace pf::app {
 
 namespace {
 
+constexpr const char* pin_label = "Pin this run";
+
 ImU32 packed(const Color& c) {
   return ImGui::ColorConvertFloat4ToU32(ImVec4(c.r, c.g, c.b, c.a));
 }
@@ -47,7 +49,7 @@ bool cross(const char* id) {
 }  // namespace
 
 bool room_for_list() {
-  return ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x > em(22);
+  return ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x > em(26);
 }
 
 bool begin_run_list() {
@@ -87,26 +89,29 @@ void legend_entry(const AppContext& context, std::size_t color_index, std::strin
   ImGui::PopID();
 }
 
+void pin_tab(AppContext& context) {
+  const bool any = context.current.reports.size() > 1;
+  ImGui::PushStyleColor(ImGuiCol_Text, any ? accent_color() : ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  if (ImGui::TabItemButton(pin_label, ImGuiTabItemFlags_Trailing) && any && context.pin) context.pin();
+  ImGui::PopStyleColor();
+  tooltip(any ? "Keeps these curves in grey behind those of the next runs: change a setting, reset and compare."
+              : "There is nothing to pin before the first step.");
+}
+
+float pin_width() {
+  return ImGui::CalcTextSize(pin_label).x + 4 * ImGui::GetStyle().FramePadding.x;
+}
+
 void pinned_runs(AppContext& context) {
   PanelMemory& m = memory(context);
-  gap();
-  const bool any = context.current.reports.size() > 1;
-  if (!any) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.5F);
-  if (ImGui::Button("Pin this run") && any && context.pin) context.pin();
-  if (!any) ImGui::PopStyleVar();
-  tooltip("Keeps these curves in grey behind those of the next runs. Change a setting, reset, and compare.");
   if (context.pinned.empty()) return;
-  if (!context.current.label.empty()) {
-    muted("This run");
-    paragraph(context.current.label);
-  }
-  muted("Pinned");
+  gap();
+  if (!context.current.label.empty()) muted("This run: " + context.current.label);
   for (std::size_t i = 0; i < context.pinned.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
-    const float left = ImGui::GetCursorPosX();
+    const float size = ImGui::GetTextLineHeight();
+    const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
     swatch(packed(theme_of(context).pinned), false);
-    const float x = ImGui::GetCursorPosX(), size = ImGui::GetTextLineHeight();
-    const float right = left + ImGui::GetContentRegionAvail().x + (x - left);
     ImGui::PushTextWrapPos(right - size - em(0.25F));
     text_unformatted(context.pinned[i].label);
     ImGui::PopTextWrapPos();
@@ -114,12 +119,12 @@ void pinned_runs(AppContext& context) {
     const bool unpin = cross("unpin");
     tooltip("Forget this run.");
     ImGui::PopID();
-    if (unpin) {
-      context.pinned.erase(context.pinned.begin() + static_cast<std::ptrdiff_t>(i));
-      if (i < m.plots.pinned.size()) m.plots.pinned.erase(m.plots.pinned.begin() + static_cast<std::ptrdiff_t>(i));
-      m.plots.relabel = true;
-      break;
-    }
+    if (!unpin) continue;
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    context.pinned.erase(context.pinned.begin() + at);
+    if (i < m.plots.pinned.size()) m.plots.pinned.erase(m.plots.pinned.begin() + at);
+    m.plots.relabel = true;
+    break;
   }
 }
 

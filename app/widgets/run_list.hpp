@@ -19,7 +19,10 @@ void end_run_list();
 /// A curve's colour, name and newest value; with `on` a switch for it.
 void legend_entry(const AppContext& context, std::size_t color_index, std::string_view label, std::string_view value,
                   bool* on = nullptr, bool dashed = false);
-/// Pin button, the pinned runs with what sets them apart, and a cross to unpin each.
+/// The Pin button as a tab at the right end of the plots' tabs, and the width it needs.
+void pin_tab(AppContext& context);
+float pin_width();
+/// This run and the pinned ones with what sets them apart, and a cross to unpin each.
 void pinned_runs(AppContext& context);
 
 }  // namespace pf::app

@@ -51,6 +51,7 @@ struct Widget {
     // Fields of several components have no room for the unit.
     const std::string unit = setting.unit.empty() ? std::string() : " [" + pretty_unit(setting.unit) + "]";
     setting_label(label + unit, help(), setting.applies == Applies::reset, ImGui::GetContentRegionAvail().x);
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() - 0.75F * ImGui::GetStyle().ItemSpacing.y);
   }
   const ordered_json* opened() const { return value_at(m.opened, pointer); }
   bool waits_for_reset() const {
@@ -236,6 +237,7 @@ bool setting_widget(AppContext& context, const std::string& pointer, const Setti
   PanelMemory& m = memory(context);
   const ordered_json* value = value_at(m.json, pointer);
   if (value == nullptr) return false;
+  if (setting->kind == SettingKind::choice && setting->choices.size() < 2) return false;  // nothing to choose
   // A copy: the edit below may replace the scene, and with it the JSON that `value` points into.
   const ordered_json shown = *value;
   Widget w{context, m, *setting, pointer, shown, look, std::string(look.label.empty() ? setting->label : look.label)};
