@@ -6,6 +6,8 @@
 #include "app/panels/memory.hpp"
 #include "app/panels/panels.hpp"
 #include "app/widgets/text.hpp"
+#include "app/widgets/units.hpp"
+#include "render/color_range.hpp"
 
 namespace pf::app {
 
@@ -64,10 +66,21 @@ void choose_field(AppContext& context) {
   ImGui::EndCombo();
 }
 
-void choose_range(PanelMemory& m, ViewState& view) {
+/// What the colour bar shows at the moment, for as long as the user types nothing else.
+void lock_at_present(ViewState& view, const Snapshot& snapshot) {
+  const std::vector<float>& values = snapshot.field[static_cast<std::size_t>(view.field)];
+  if (values.empty()) return;
+  const ValueRange now = percentile_range(values, field_info(view.field));
+  view.range_min = rounded(now.min, 3);
+  view.range_max = rounded(now.max, 3);
+}
+
+void choose_range(PanelMemory& m, AppContext& context) {
+  ViewState& view = context.view;
   const FieldInfo& info = field_info(view.field);
   if (info.scale == FieldScale::categorical) return;
-  checkbox("lock", "Lock the colour range", &view.lock_range);
+  if (checkbox("lock", "Lock the colour range", &view.lock_range) && view.lock_range && context.snapshot)
+    lock_at_present(view, *context.snapshot);
   tooltip("Keeps the ends of the colour bar while the values change, so that pictures can be compared.");
   if (!view.lock_range) return;
   // No slider: the ends span many decades; a click types them.
@@ -109,7 +122,7 @@ void draw_view_panel(AppContext& context) {
   PanelMemory& m = memory(context);
   ViewState& view = context.view;
   choose_field(context);
-  choose_range(m, view);
+  choose_range(m, context);
   choose_layers(m, view, context.scene.dimension);
   heading("Window");
   int theme = view.theme == Theme::dark ? 0 : 1;

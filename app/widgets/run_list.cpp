@@ -113,7 +113,9 @@ void pinned_runs(AppContext& context) {
     const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
     swatch(packed(theme_of(context).pinned), false);
     ImGui::PushTextWrapPos(right - size - em(0.25F));
-    text_unformatted(context.pinned[i].label);
+    std::string label = context.pinned[i].label;
+    if (!label.empty() && label[0] >= 'a' && label[0] <= 'z') label[0] = static_cast<char>(label[0] - 'a' + 'A');
+    text_unformatted(label);
     ImGui::PopTextWrapPos();
     ImGui::SameLine(right - size);
     const bool unpin = cross("unpin");

@@ -88,19 +88,9 @@ std::string cut_off(const std::vector<Letter>& found) {
   return text;
 }
 
-std::string reading(std::vector<Letter> found) {
-  const auto middle = [](const Letter& l) { return (l.min.y + l.max.y) / 2; };
-  std::sort(found.begin(), found.end(), [&](const Letter& a, const Letter& b) { return middle(a) < middle(b); });
+std::string reading(const std::vector<Letter>& found) {
   std::string text;
-  for (std::size_t i = 0; i < found.size();) {
-    const float size = found[i].max.y - found[i].min.y, line = middle(found[i]) + std::max(size, 5.0F);
-    std::size_t end = i + 1;
-    while (end < found.size() && middle(found[end]) < line) ++end;
-    const auto at = [&](std::size_t k) { return found.begin() + static_cast<std::ptrdiff_t>(k); };
-    std::sort(at(i), at(end), [](const Letter& a, const Letter& b) { return a.min.x < b.min.x; });
-    for (; i < end; ++i) text += utf8(found[i].code);
-    text += '\n';
-  }
+  for (const Letter& l : found) text += utf8(l.code);
   return text;
 }
 

@@ -20,7 +20,7 @@ std::vector<Letter> letters(const ImDrawData& data);
 std::string overlaps(const std::vector<Letter>& found);
 /// The letters that are cut off; "" when there are none.
 std::string cut_off(const std::vector<Letter>& found);
-/// The letters line by line, from left to right, without spaces.
-std::string reading(std::vector<Letter> found);
+/// The letters in the order in which they were drawn, without spaces.
+std::string reading(const std::vector<Letter>& found);
 
 }  // namespace pf::app
