@@ -244,7 +244,10 @@ std::string version_text() {
 
 int run_command_line(const std::vector<std::string>& arguments) {
   try {
-    return parse_and_dispatch(arguments);
+    const int status = parse_and_dispatch(arguments);
+    std::cout.flush();
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw FileError("stdout could not be written to the end");
+    return status;
   } catch (const InputError& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return exit_bad_input;

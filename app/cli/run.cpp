@@ -69,7 +69,7 @@ class Outputs {
       add<PictureWriter>(pictures, scene);
     }
     if (options.export_format)
-      add<Exporter>(*find_export_format(*options.export_format), folder.exports(), kept.frame_times);
+      add<Exporter>(*find_export_format(*options.export_format), folder.exports(), kept.frames);
     if (options.checkpoint_every)
       add<CheckpointWriter>(folder.checkpoints(), scene, *options.checkpoint_every, header ? header->time : 0.0,
                             kept.step ? header->number + 1 : 0);

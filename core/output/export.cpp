@@ -29,8 +29,8 @@ std::string particles_file(long number, std::string_view extension) {
   return "particles_" + file_number(number) + "." + std::string(extension);
 }
 
-Exporter::Exporter(const ExportFormat& format, std::filesystem::path folder, std::vector<double> earlier)
-    : format_(format), folder_(std::move(folder)), times_(std::move(earlier)) {
+Exporter::Exporter(const ExportFormat& format, std::filesystem::path folder, std::vector<FrameTime> earlier)
+    : format_(format), folder_(std::move(folder)), frames_(std::move(earlier)) {
   make_folder(folder_);
 }
 
@@ -44,9 +44,10 @@ void Exporter::on_frame(const Simulation& simulation, long number) {
     write_atomically(folder_ / ("grid_" + file_number(number) + "." + std::string(format_.grid_extension)),
                      format_.grid(grid_table(snapshot), time));
   }
-  times_.resize(static_cast<std::size_t>(number));  // a continued run shows the last frame once more
-  times_.push_back(time);
-  if (format_.index != nullptr) write_atomically(folder_ / format_.index_name, format_.index(times_));
+  // The last state of a run may be shown under the number that a longer run gives to another one.
+  std::erase_if(frames_, [number](const FrameTime& frame) { return frame.number >= number; });
+  frames_.push_back({number, time});
+  if (format_.index != nullptr) write_atomically(folder_ / format_.index_name, format_.index(frames_));
 }
 
 }  // namespace pf

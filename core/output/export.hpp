@@ -12,6 +12,12 @@
 
 namespace pf {
 
+/// A frame that was exported, and when it was.
+struct FrameTime {
+  long number = 0;
+  double time = 0;  ///< [s]
+};
+
 /// One format of --export. To add one: a file with its writer and a line in export.cpp's table.
 struct ExportFormat {
   std::string_view name;       ///< as --export takes it
@@ -21,7 +27,7 @@ struct ExportFormat {
   std::string (*grid)(const GridTable& table, double time);  ///< nullptr where the format has no grid
   std::string_view grid_extension;
   /// A file that lists all frames, rewritten with each; nullptr where the format has none.
-  std::string (*index)(std::span<const double> times);
+  std::string (*index)(std::span<const FrameTime> frames);
   std::string_view index_name;
 };
 
@@ -33,14 +39,14 @@ const ExportFormat* find_export_format(std::string_view name);
 /// all.
 class Exporter : public RunObserver {
  public:
-  /// `earlier`: times of frames that are there already (a continued run).
-  Exporter(const ExportFormat& format, std::filesystem::path folder, std::vector<double> earlier = {});
+  /// `earlier`: frames that are there already (a continued run).
+  Exporter(const ExportFormat& format, std::filesystem::path folder, std::vector<FrameTime> earlier = {});
   void on_frame(const Simulation& simulation, long number) override;
 
  private:
   const ExportFormat& format_;
   std::filesystem::path folder_;
-  std::vector<double> times_;
+  std::vector<FrameTime> frames_;
 };
 
 /// The file names in FOLDER/export that belong to frame `number`: used by the index too.
@@ -49,7 +55,7 @@ std::string particles_file(long number, std::string_view extension);
 // The formats' writers: vtk.cpp, ply.cpp, csv.cpp.
 std::string vtk_particles(const ParticleTable& table, double time);
 std::string vtk_grid(const GridTable& table, double time);
-std::string vtk_index(std::span<const double> times);
+std::string vtk_index(std::span<const FrameTime> frames);
 std::string ply_particles(const ParticleTable& table, double time);
 std::string csv_particles(const ParticleTable& table, double time);
 

@@ -37,20 +37,20 @@ bool has_our_stats(const fs::path& file) {
   return read_file(file).starts_with("step,time,dt,newton_iterations,");
 }
 
-// Times of the frames before `count`, as the frame rule gives them for the steps in stats.csv.
-std::vector<double> frame_times(const fs::path& stats, const TimeSettings& settings, long count) {
-  std::vector<double> times;
+// The frames before number `count`, as the frame rule gives them for the steps in stats.csv.
+std::vector<FrameTime> earlier_frames(const fs::path& stats, const TimeSettings& settings, long count) {
+  std::vector<FrameTime> frames;
   std::istringstream text(read_file(stats));
   std::string line;
   std::getline(text, line);
   long due = 0;
-  while (static_cast<long>(times.size()) < count && std::getline(text, line)) {
+  while (static_cast<long>(frames.size()) < count && std::getline(text, line)) {
     const double time = std::strtod(line.c_str() + line.find(',') + 1, nullptr);
     if (!frame_due(settings, time, due)) continue;
-    times.push_back(time);
+    frames.push_back({static_cast<long>(frames.size()), time});
     due = next_frame(settings, time, due);
   }
-  return times;
+  return frames;
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ Kept prepare_run_folder(const RunFolder& folder, const Scene& scene, const Check
   const std::string header = stats_header(scene.dimension, !scene.exact_position.empty());
   if (resumed != nullptr && keep_stats_until(folder.stats(), header, resumed->step, resumed->time)) {
     kept.step = resumed->step;
-    kept.frame_times = frame_times(folder.stats(), scene.time, resumed->cursor.frames);
+    kept.frames = earlier_frames(folder.stats(), scene.time, resumed->cursor.frames);
     keep_probes_until(folder.probes(), probes_header(scene.dimension), resumed->time);
   }
   const long frames = kept.step ? resumed->cursor.frames : 0;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/output/checkpoint.hpp"
+#include "core/output/export.hpp"
 
 namespace pf {
 
@@ -21,8 +22,8 @@ struct RunFolder {
 
 /// What of an earlier run was left in place.
 struct Kept {
-  std::optional<long> step;         ///< rows up to this step are in stats.csv (and probes.csv)
-  std::vector<double> frame_times;  ///< of the frames that were due up to the checkpoint
+  std::optional<long> step;       ///< rows up to this step are in stats.csv (and probes.csv)
+  std::vector<FrameTime> frames;  ///< that were due up to the checkpoint
 };
 
 /// Makes the folder. Removes what an earlier run of ours left in it, known by its stats.csv; anything else stays. With

@@ -121,14 +121,14 @@ std::string vtk_grid(const GridTable& table, double time) {
   return out + "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
-std::string vtk_index(std::span<const double> times) {
+std::string vtk_index(std::span<const FrameTime> frames) {
   std::string out =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
       "<Collection>\n";
-  for (std::size_t i = 0; i < times.size(); ++i) {
+  for (const FrameTime& frame : frames) {
     out += "<DataSet timestep=\"";
-    append_number(out, times[i]);
-    out += "\" part=\"0\" file=\"" + particles_file(static_cast<long>(i), "vtp") + "\"/>\n";
+    append_number(out, frame.time);
+    out += "\" part=\"0\" file=\"" + particles_file(frame.number, "vtp") + "\"/>\n";
   }
   return out + "</Collection>\n</VTKFile>\n";
 }

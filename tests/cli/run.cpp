@@ -157,4 +157,5 @@ TEST_CASE("a full disk ends a run with exit status 4 and the file's name") {
   const Outcome outcome = here.run("run scene.json --out o");
   CHECK(outcome.status == 4);
   CHECK(outcome.err.find("stats.csv") != std::string::npos);
+  CHECK(here.run("schema >/dev/full; exit $?").status == 4);
 }

@@ -78,6 +78,17 @@ TEST_CASE("vtk: particles with their fields, one file a frame, and an index with
     CHECK(index.find(line) != std::string::npos);
 }
 
+TEST_CASE("vtk: the index of a continued run lists what is there") {
+  const TemporaryFolder folder;
+  Exporter exporter(*find_export_format("vtk"), folder.path(), {{0, 0}, {1, 0.5}, {2, 0.7}});
+  FreeFlight simulation(small_scene(2, time_member(1, 0.5, 0.5)));
+  exporter.on_frame(simulation, 2);
+  const std::string index = read_file(folder / "particles.pvd");
+  CHECK(index.find("timestep=\"0.5\" part=\"0\" file=\"particles_000001.vtp\"") != std::string::npos);
+  CHECK(index.find("timestep=\"0\" part=\"0\" file=\"particles_000002.vtp\"") != std::string::npos);
+  CHECK(index.find("0.7") == std::string::npos);
+}
+
 TEST_CASE("vtk: the active grid has a cell wherever all corners are active") {
   const Exported out("vtk");
   const std::string text = read_file(out.folder / "grid_000001.vtu");
