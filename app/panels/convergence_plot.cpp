@@ -10,6 +10,7 @@
 #include "app/widgets/run_list.hpp"
 #include "app/widgets/text.hpp"
 #include "app/widgets/units.hpp"
+#include "core/charts/theme.hpp"
 
 namespace pf::app {
 
@@ -89,6 +90,7 @@ void draw_convergence_plot(AppContext& context) {
   }
 
   Chart chart;
+  const ChartTheme theme = context.view.theme == Theme::dark ? dark_theme() : light_theme();
   chart.x.title = "Newton iteration";
   chart.y.title = "Residual";
   chart.y.scale = AxisScale::logarithmic;
@@ -101,8 +103,12 @@ void draw_convergence_plot(AppContext& context) {
     longest = std::max(longest, s.x.back());
     const bool newest_one = &reports[k] == report;
     s.label = "Step " + std::to_string(reports[k].step);
-    s.pinned = !newest_one;
-    s.color_index = 0;
+    if (newest_one) {
+      s.color_index = 0;
+    } else {
+      s.color = theme.series[0];
+      s.color->a = 0.3F;
+    }
     s.style = newest_one ? SeriesStyle::line_and_points : SeriesStyle::line;
     chart.series.push_back(std::move(s));
   }

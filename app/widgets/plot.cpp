@@ -104,7 +104,8 @@ void plot(AppContext& context, const char* stem, Chart chart, PlotView& view) {
   if (size.x < em(8) || size.y < em(5)) return;
   load_view(chart, view);
   const Chart whole = chart;
-  if (room_for_list()) chart.legend = LegendPlace::none;  // the list is its legend
+  // The list beside it is its legend; a small plot has room for none: hovering names the curves.
+  if (room_for_list() || size.x < em(18)) chart.legend = LegendPlace::none;
   // The tab says what it is; turned, a long name would not fit beside a low plot.
   if (size.y < em(16)) chart.y.title.clear();
   ChartTheme theme = chart_theme(context, em(0.85F));

@@ -12,6 +12,8 @@ namespace pf::app {
 
 namespace {
 
+constexpr std::string_view minus = "\xe2\x88\x92";
+
 struct Prefix {
   std::string_view text;
   double factor;
@@ -22,6 +24,12 @@ constexpr std::array<Prefix, 7> prefixes{
 bool takes_prefix(std::string_view unit) {
   constexpr std::array<std::string_view, 7> whole{"m", "s", "Pa", "N", "J", "W", "Hz"};
   return std::find(whole.begin(), whole.end(), unit) != whole.end() || unit.starts_with("J/");
+}
+
+/// A true minus sign, as charts have it.
+std::string with_minus(std::string text) {
+  for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at)) text.replace(at, 1, minus);
+  return text;
 }
 
 /// printf's %g without the exponent's leading zeros and plus sign.
@@ -43,8 +51,11 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-std::optional<double> number_in(std::string_view text) {
-  if (text.empty()) return std::nullopt;
+std::optional<double> number_in(std::string_view typed) {
+  if (typed.empty()) return std::nullopt;
+  std::string text(typed);
+  for (std::size_t at = text.find(minus); at != std::string::npos; at = text.find(minus))
+    text.replace(at, minus.size(), "-");
   try {
     const Expression expression = Expression::compile(text, {}, mask_none);
     const std::array<double, variable_count> none{};
@@ -83,15 +94,15 @@ std::string plain_number(double value) {
 
 std::string quantity(double value, std::string_view unit, int digits) {
   if (std::isnan(value)) return "not a number";
-  if (std::isinf(value)) return value < 0 ? "-infinity" : "infinity";
+  if (std::isinf(value)) return with_minus(value < 0 ? "-infinity" : "infinity");
   if (unit.empty()) {
     const double size = std::abs(value);
     // Plain notation up to a million; whole numbers keep all their digits.
-    if (size >= 1 && size < 1e6 && value == std::round(value)) return shortest(value, 7);
-    return shortest(value, digits);
+    if (size >= 1 && size < 1e6 && value == std::round(value)) return with_minus(shortest(value, 7));
+    return with_minus(shortest(value, digits));
   }
   const std::string text = pretty_unit(unit);
-  if (!takes_prefix(unit) || value == 0) return shortest(value, digits) + " " + text;
+  if (!takes_prefix(unit) || value == 0) return with_minus(shortest(value, digits)) + " " + text;
   const double size = std::abs(rounded(value, digits));
   const Prefix* chosen = &prefixes.back();
   for (const Prefix& p : prefixes)
@@ -101,8 +112,8 @@ std::string quantity(double value, std::string_view unit, int digits) {
     }
   // Lengths and times a little below one read better undivided: 0.5 m, 0.25 s.
   if (chosen->factor == 1e-3 && size >= 0.1 && (unit == "m" || unit == "s")) chosen = &prefixes[3];
-  if (chosen == &prefixes.back() && size < 1e-12) return shortest(value, digits) + " " + text;
-  return shortest(value / chosen->factor, digits) + " " + std::string(chosen->text) + text;
+  if (chosen == &prefixes.back() && size < 1e-12) return with_minus(shortest(value, digits)) + " " + text;
+  return with_minus(shortest(value / chosen->factor, digits)) + " " + std::string(chosen->text) + text;
 }
 
 std::optional<double> parse_quantity(std::string_view text, std::string_view unit) {
