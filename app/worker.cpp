@@ -104,7 +104,10 @@ void Session::Worker::take_step() {
   try {
     const StepReport& report = simulation_->step(&cancel);
     const double ms = milliseconds(Clock::now() - begin);
-    if (report.status == StepStatus::accepted) accept(report, ms);
+    if (report.status == StepStatus::accepted) {
+      accept(report, ms);
+      apply_events();
+    }
     if (report.status == StepStatus::failed) fail(report.failure);
     if (report.status == StepStatus::finished) finish();
   } catch (const std::exception& error) {
@@ -133,8 +136,12 @@ void Session::Worker::accept(const StepReport& report, double step_ms) {
   if (state_ != RunState::running || now >= published_ + frame_time) publish();
 }
 
+void Session::Worker::apply_events() {
+  if (events_->apply_due(*simulation_) > 0) apply_end();
+}
+
 void Session::Worker::finish() {
-  if (at_end_ == AtEnd::loop && state_ == RunState::running) return build(edited_, true);
+  if (at_end_ == AtEnd::loop && state_ == RunState::running) return build(edited_, true, false);
   if (stale_) publish();
   set_state(RunState::finished);
 }
@@ -149,8 +156,8 @@ void Session::Worker::fail(const std::string& why) {
   set_state(RunState::failed);
 }
 
-void Session::Worker::build(const Scene& scene, bool run) {
-  set_state(RunState::loading);
+void Session::Worker::build(const Scene& scene, bool run, bool announce) {
+  if (announce) set_state(RunState::loading);
   single_steps_ = 0;
   grabbed_ = refused_ = false;
   built_ = edited_ = scene;
@@ -158,6 +165,8 @@ void Session::Worker::build(const Scene& scene, bool run) {
   std::string failure;
   try {
     simulation_ = factory_(scene, options_);
+    events_.emplace(scene);
+    apply_events();
     apply_end();
   } catch (const std::exception& error) {
     simulation_.reset();
@@ -224,7 +233,7 @@ void Session::Worker::apply_end() {
 }
 
 void Session::Worker::handle(const command::Run&) {
-  if (state_ == RunState::finished && at_end_ != AtEnd::go_on) return build(edited_, true);  // play again
+  if (state_ == RunState::finished && at_end_ != AtEnd::go_on) return build(edited_, true, false);  // play again
   if (!simulation_ || state_ == RunState::loading) return;
   restart_pacing();
   set_state(RunState::running);
@@ -315,8 +324,11 @@ void Session::Worker::handle(const command::Look& look) {
 void Session::Worker::handle(const command::Ask& ask) {
   if (!simulation_ || ask.id >= simulation_->particle_count()) return;
   const ParticleState found = simulation_->particle(ask.id);
-  const std::lock_guard lock(mutex);
-  answer = found;
+  {
+    const std::lock_guard lock(mutex);
+    answer = found;
+  }
+  call_window();
 }
 
 }  // namespace pf::app

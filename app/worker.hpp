@@ -11,6 +11,7 @@
 #include "app/recording.hpp"
 #include "app/session.hpp"
 #include "app/snapshot_pool.hpp"
+#include "core/runner.hpp"
 
 namespace pf::app {
 
@@ -79,8 +80,12 @@ struct Session::Worker {
   void take_step();
   void accept(const StepReport& report, double step_ms);
   void finish();
+  /// The scene's own events that are due, as soon as their state is reached: edits of that state come after them,
+  /// in the record too.
+  void apply_events();
   void fail(const std::string& why);
-  void build(const Scene& scene, bool run);
+  /// `announce`: show that something is loading; not where one run follows another.
+  void build(const Scene& scene, bool run, bool announce = true);
   void restart_pacing() { pacer_.start(simulation_ ? simulation_->time() : 0, Clock::now()); }
   void set_state(RunState state);
   /// Captures and hands over the newest state, and wakes the window.
@@ -107,6 +112,7 @@ struct Session::Worker {
   SimulationFactory factory_;
   SimulationOptions options_;
   std::unique_ptr<Simulation> simulation_;
+  std::optional<EventSchedule> events_;
   Scene built_, edited_;
   bool refused_ = false;  ///< a live edit could not be applied to this run: it waits for the reset
   RunState state_ = RunState::loading;
