@@ -74,7 +74,7 @@ struct GlfwWindow::Callbacks {
 
 GlfwWindow::GlfwWindow(const std::string& title, WindowSize size, bool visible) {
   glfwInitHint(GLFW_COCOA_CHDIR_RESOURCES, GLFW_FALSE);
-  if (!glfwInit()) throw DisplayError("no display can be opened: " + last_error());
+  if (!glfwInit()) throw DisplayError(last_error());
   try {
     create(title, size, visible);
   } catch (...) {
@@ -95,7 +95,7 @@ void GlfwWindow::create(const std::string& title, WindowSize size, bool visible)
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "pushforward");
   glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "pushforward");
   window_ = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);
-  if (!window_) throw DisplayError("the display offers no OpenGL 3.3: " + last_error());
+  if (!window_) throw DisplayError("the display offers no OpenGL 3.3 (" + last_error() + ")");
   glfwSetWindowSizeLimits(window_, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
   glfwMakeContextCurrent(window_);
   if (epoxy_gl_version() < 33) throw DisplayError("the display offers no OpenGL 3.3");

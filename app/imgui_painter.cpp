@@ -24,6 +24,11 @@ std::vector<ImVec2>& copied(std::span<const Point2> points, std::vector<ImVec2>&
   return into;
 }
 
+/// Glyphs are sharp at the size they were made for: a size close to it is drawn in it.
+float sharp(float size, const ImFont& font) {
+  return std::abs(font.FontSize - size) < 0.09f * size ? font.FontSize : size;
+}
+
 /// Twice the signed area of the corner a b c.
 float turn(Point2 a, Point2 b, Point2 c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -46,12 +51,19 @@ bool convex(std::span<const Point2> p) {
 
 }  // namespace
 
+std::vector<Point2> ImGuiPainter::scaled(std::span<const Point2> points) const {
+  std::vector<Point2> out(points.size());
+  std::transform(points.begin(), points.end(), out.begin(), [this](Point2 p) { return scaled(p); });
+  return out;
+}
+
 void ImGuiPainter::polyline(std::span<const Point2> points, Color color, float width, float dash) {
   if (points.size() < 2) return;
-  if (dash > 0) return dashes(points, packed(color), width, dash);
+  const std::vector<Point2> there = scaled(points);
+  if (dash > 0) return dashes(there, packed(color), width * scale_, dash * scale_);
   std::vector<ImVec2> line;
-  copied(points, line);
-  list_.AddPolyline(line.data(), static_cast<int>(line.size()), packed(color), ImDrawFlags_None, width);
+  copied(there, line);
+  list_.AddPolyline(line.data(), static_cast<int>(line.size()), packed(color), ImDrawFlags_None, width * scale_);
 }
 
 void ImGuiPainter::dashes(std::span<const Point2> points, unsigned color, float width, float dash) {
@@ -83,7 +95,8 @@ void ImGuiPainter::dashes(std::span<const Point2> points, unsigned color, float 
   flush();
 }
 
-void ImGuiPainter::polygon(std::span<const Point2> points, Color fill) {
+void ImGuiPainter::polygon(std::span<const Point2> unscaled, Color fill) {
+  const std::vector<Point2> points = scaled(unscaled);
   if (points.size() < 3) return;
   if (convex(points)) {
     std::vector<ImVec2> outline;
@@ -94,7 +107,7 @@ void ImGuiPainter::polygon(std::span<const Point2> points, Color fill) {
     return;
   }
   // Ears are cut off until a triangle remains.
-  std::vector<Point2> left(points.begin(), points.end());
+  std::vector<Point2> left = points;
   float area = 0;
   for (std::size_t i = 1; i + 1 < left.size(); ++i) area += turn(left[0], left[i], left[i + 1]);
   const float side = area >= 0 ? 1.0f : -1.0f;
@@ -116,19 +129,20 @@ void ImGuiPainter::polygon(std::span<const Point2> points, Color fill) {
 }
 
 void ImGuiPainter::rectangle(Point2 min, Point2 max, Color fill, float rounding) {
-  list_.AddRectFilled(vec(min), vec(max), packed(fill), rounding);
+  list_.AddRectFilled(vec(scaled(min)), vec(scaled(max)), packed(fill), rounding * scale_);
 }
 void ImGuiPainter::circle(Point2 centre, float radius, Color fill) {
-  list_.AddCircleFilled(vec(centre), radius, packed(fill));
+  list_.AddCircleFilled(vec(scaled(centre)), radius * scale_, packed(fill));
 }
 void ImGuiPainter::ring(Point2 centre, float radius, Color color, float width) {
-  list_.AddCircle(vec(centre), radius, packed(color), 0, width);
+  list_.AddCircle(vec(scaled(centre)), radius * scale_, packed(color), 0, width * scale_);
 }
 
-void ImGuiPainter::text(Point2 at, std::string_view text, float size, Color color, TextAlign align, FontWeight weight,
-                        int quarter_turns) {
-  ImFont* font = font_for(size, weight);
-  const float width = text_width(text, size, weight);
+void ImGuiPainter::text(Point2 where, std::string_view text, float units, Color color, TextAlign align,
+                        FontWeight weight, int quarter_turns) {
+  const Point2 at = scaled(where);
+  ImFont* font = font_for(scale_ * units, weight);
+  const float width = scale_ * text_width(text, units, weight), size = sharp(scale_ * units, *font);
   const float shift = align == TextAlign::left ? 0 : align == TextAlign::centre ? width / 2 : width;
   const float baseline = font->Ascent * size / font->FontSize;
   const ImVec2 corner{std::round(at.x - (quarter_turns % 4 ? 0 : shift)), std::round(at.y - baseline)};
@@ -146,11 +160,13 @@ void ImGuiPainter::text(Point2 at, std::string_view text, float size, Color colo
 }
 
 float ImGuiPainter::text_width(std::string_view text, float size, FontWeight weight) const {
-  return font_for(size, weight)->CalcTextSizeA(size, 1e9f, 0, text.data(), text.data() + text.size()).x;
+  const ImFont* font = font_for(scale_ * size, weight);
+  const float pixels = sharp(scale_ * size, *font);
+  return font->CalcTextSizeA(pixels, 1e9f, 0, text.data(), text.data() + text.size()).x / scale_;
 }
 
 void ImGuiPainter::push_clip(Point2 min, Point2 max) {
-  list_.PushClipRect(vec(min), vec(max), true);
+  list_.PushClipRect(vec(scaled(min)), vec(scaled(max)), true);
 }
 void ImGuiPainter::pop_clip() {
   list_.PopClipRect();

@@ -68,10 +68,11 @@ void set_colors(ImVec4* to, const Palette& p) {
   set({ImGuiCol_ChildBg, ImGuiCol_BorderShadow, ImGuiCol_ScrollbarBg, ImGuiCol_TableRowBg}, none);
   set({ImGuiCol_PopupBg}, vec(p.popup));
   set({ImGuiCol_Border, ImGuiCol_Separator, ImGuiCol_TableBorderStrong, ImGuiCol_TableBorderLight}, vec(p.border));
-  set({ImGuiCol_FrameBg, ImGuiCol_Button}, vec(p.frame));
-  set({ImGuiCol_FrameBgHovered, ImGuiCol_ButtonHovered, ImGuiCol_TableHeaderBg}, vec(p.frame_hovered));
+  set({ImGuiCol_FrameBg, ImGuiCol_Button, ImGuiCol_TableHeaderBg}, vec(p.frame));
+  set({ImGuiCol_FrameBgHovered, ImGuiCol_ButtonHovered}, vec(p.frame_hovered));
   set({ImGuiCol_FrameBgActive, ImGuiCol_ButtonActive}, vec(p.frame_active));
-  set({ImGuiCol_TitleBg, ImGuiCol_TitleBgActive, ImGuiCol_TitleBgCollapsed, ImGuiCol_MenuBarBg}, vec(p.bar));
+  set({ImGuiCol_MenuBarBg}, vec(p.bar));
+  set({ImGuiCol_TitleBg, ImGuiCol_TitleBgActive, ImGuiCol_TitleBgCollapsed}, vec(p.popup));
   set({ImGuiCol_ScrollbarGrab}, vec(p.muted, 0.35f));
   set({ImGuiCol_ScrollbarGrabHovered}, vec(p.muted, 0.6f));
   set({ImGuiCol_ScrollbarGrabActive}, vec(p.muted, 0.8f));
@@ -99,9 +100,9 @@ void set_sizes(ImGuiStyle& style) {
   style.GrabMinSize = 12;
   style.WindowBorderSize = style.ChildBorderSize = style.FrameBorderSize = style.TabBorderSize = 0;
   style.PopupBorderSize = 1;
-  style.WindowRounding = style.ChildRounding = 0;
+  style.ChildRounding = 0;
   style.FrameRounding = style.GrabRounding = style.TabRounding = 4;
-  style.PopupRounding = 6;
+  style.PopupRounding = style.WindowRounding = 8;  // docks are square: see part()
   style.ScrollbarRounding = 6;
   style.WindowMenuButtonPosition = ImGuiDir_None;
   style.WindowTitleAlign = {0, 0.5f};
@@ -161,6 +162,18 @@ ImFont* font_for(float size, FontWeight weight) {
   for (int i = weight == FontWeight::bold ? 1 : 0; i < fonts.Size; i += 2)
     if (i < 2 || std::abs(fonts[i]->FontSize - size) < std::abs(best->FontSize - size)) best = fonts[i];
   return best;
+}
+
+void push_accent_button() {
+  // The theme in use is known by its text.
+  const Palette& p = ImGui::GetStyle().Colors[ImGuiCol_Text].x > 0.5f ? dark : light;
+  ImGui::PushStyleColor(ImGuiCol_Button, vec(p.accent_strong));
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, vec(p.accent_strong, 0.9f));
+  ImGui::PushStyleColor(ImGuiCol_ButtonActive, vec(p.accent_strong, 0.8f));
+  ImGui::PushStyleColor(ImGuiCol_Text, vec(p.on_accent));
+}
+void pop_accent_button() {
+  ImGui::PopStyleColor(4);
 }
 
 ImFont* bold_font() {

@@ -41,6 +41,9 @@ void build_fonts(float scale);
 
 /// Whichever size was built that comes nearest.
 ImFont* font_for(float size, FontWeight weight);
+/// The one button of a dialog that goes on: filled with the accent colour.
+void push_accent_button();
+void pop_accent_button();
 ImFont* bold_font();
 ImFont* small_font();
 

@@ -1,0 +1,360 @@
+// What the user can make the window do: files, edits, the run.
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "app/workbench.hpp"
+#include "core/assets.hpp"
+#include "core/build_info.hpp"
+#include "core/diagnostics/fields.hpp"
+#include "render/picture.hpp"
+
+namespace pf::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A scene's name as a file's: "Falling block" -> "falling-block".
+std::string kebab(const std::string& name) {
+  std::string out;
+  for (const char c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)))
+      out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    else if (!out.empty() && out.back() != '-')
+      out += '-';
+  }
+  while (!out.empty() && out.back() == '-') out.pop_back();
+  return out.empty() ? "scene" : out;
+}
+
+fs::path picture_folder() {
+  const auto existing = [](const char* value) {
+    std::error_code error;
+    return value && *value && fs::is_directory(value, error);
+  };
+  if (const char* set = std::getenv("XDG_PICTURES_DIR"); existing(set)) return set;
+  if (const char* home = std::getenv("HOME")) {
+    const std::string pictures = std::string(home) + "/Pictures";
+    if (existing(pictures.c_str())) return pictures;
+  }
+  std::error_code error;
+  return fs::current_path(error);
+}
+
+/// The first of name.png, name-2.png, ... that does not exist.
+fs::path free_name(const fs::path& folder, const std::string& name, const std::string& extension) {
+  std::error_code error;
+  for (int n = 1;; ++n) {
+    fs::path file = folder / (name + (n > 1 ? "-" + std::to_string(n) : "") + extension);
+    if (!fs::exists(file, error)) return file;
+  }
+}
+
+fs::path scenes_folder() {
+  try {
+    return asset_path("scenes");
+  } catch (const FileError&) {
+    return {};
+  }
+}
+
+}  // namespace
+
+void Workbench::set_actions() {
+  context_.change = [this](const std::vector<Edit>& edits) { return change(edits); };
+  context_.open_file = [this](const fs::path& file) { open_file(file); };
+  context_.ask_open = [this] { act(Action::open); };
+  context_.ask_save_as = [this] { act(Action::save_as); };
+  context_.save = [this] { act(Action::save); };
+  context_.undo = [this] { act(Action::undo); };
+  context_.redo = [this] { act(Action::redo); };
+  context_.fit_view = [this] { act(Action::fit); };
+  context_.save_picture = [this] { act(Action::picture); };
+  context_.pin = [this] { pin(); };
+  context_.notify = [this](const std::string& text) {
+    notices_.add(text);
+    settle_ = 3;
+  };
+}
+
+bool Workbench::possible(Action action) const {
+  const RunState state = context_.status.state;
+  switch (action) {
+    case Action::undo:
+      return undo_.can_undo();
+    case Action::redo:
+      return undo_.can_redo();
+    case Action::step:
+      return state == RunState::paused || state == RunState::running || state == RunState::failed;
+    case Action::picture:
+    case Action::export_picture:
+    case Action::fit:
+      return context_.snapshot != nullptr;
+    default:
+      return true;
+  }
+}
+
+bool Workbench::offers_field(int index) const {
+  if (index < 0 || static_cast<std::size_t>(index) >= fields().size()) return false;
+  const Field field = fields()[static_cast<std::size_t>(index)].field;
+  if (field == Field::error) return !context_.scene.exact_position.empty();
+  return field != Field::material || context_.scene.materials.size() > 1;
+}
+
+void Workbench::act(Action action, int index) {
+  ViewState& view = context_.view;
+  switch (action) {
+    case Action::open:
+      return ask_open();
+    case Action::save:
+      return save();
+    case Action::save_as:
+      return ask_save_as();
+    case Action::save_recording:
+      return ask_save("Save recording", ".json", fs::path(kebab(context_.scene.name) + "-recording.json"),
+                      [this](const fs::path& file) {
+                        if (!save_to(file, session_.recorded())) return;
+                        if (const std::string w = session_.recording_warning(); !w.empty()) notices_.add(w);
+                      });
+    case Action::picture:
+      picture_wanted_ =
+          free_name(setup_.pictures.empty() ? picture_folder() : setup_.pictures, kebab(context_.scene.name), ".png");
+      break;
+    case Action::export_picture:
+      return ask_picture();
+    case Action::quit:
+      return settle_changes([this] { leave(); });
+    case Action::undo:
+      if (auto scene = undo_.undo(context_.scene)) send_scene(std::move(*scene));
+      break;
+    case Action::redo:
+      if (auto scene = undo_.redo(context_.scene)) send_scene(std::move(*scene));
+      break;
+    case Action::run_pause:
+      context_.status.state == RunState::running ? session_.pause() : session_.run();
+      break;
+    case Action::step:
+      session_.step_once();
+      break;
+    case Action::reset:
+      if (view_) view_->cancel_tool(context_);
+      session_.reset();
+      break;
+    case Action::fit:
+      view_->fit();
+      break;
+    case Action::grid:
+      view.show_grid = !view.show_grid;
+      break;
+    case Action::vectors:
+      view.show_velocities = !view.show_velocities;
+      break;
+    case Action::bent_grid:
+      view.show_bent_grid = !view.show_bent_grid;
+      break;
+    case Action::field:
+      if (!offers_field(index)) return;
+      view.field = fields()[static_cast<std::size_t>(index)].field;
+      view.lock_range = false;
+      break;
+    case Action::hide_panels:
+      view.hide_panels = !view.hide_panels;
+      if (view.hide_panels) notices_.add("Tab shows the panels again");
+      break;
+    case Action::full_screen:
+      window_.toggle_full_screen();
+      break;
+    case Action::help:
+      show_help_ = true;
+      break;
+    case Action::deselect:
+      deselect();
+      break;
+  }
+  settle_ = 3;
+}
+
+void Workbench::deselect() {
+  if (view_ && view_->tool_holds())
+    view_->cancel_tool(context_);
+  else if (context_.selected_particle)
+    context_.selected_particle.reset();
+  else
+    context_.view.hide_panels = false;
+}
+
+bool Workbench::change(const std::vector<Edit>& edits) {
+  try {
+    Scene next = edited(context_.scene, edits);
+    context_.problems.clear();
+    if (next == context_.scene) return true;
+    undo_.push(context_.scene, edits);
+    send_scene(std::move(next));
+    return true;
+  } catch (const InputError& error) {
+    context_.problems = error.problems();
+    context_.problems_source = "edit";
+    settle_ = 3;
+    return false;
+  }
+}
+
+void Workbench::send_scene(Scene scene) {
+  context_.scene = std::move(scene);
+  context_.unsaved = true;
+  session_.edit(context_.scene);
+  settle_ = 3;
+}
+
+void Workbench::open_scene(const Scene& scene, const fs::path& file, bool run) {
+  if (view_) view_->cancel_tool(context_);
+  context_.scene = scene;
+  context_.scene_file = file;
+  context_.unsaved = false;
+  context_.problems.clear();
+  context_.selected_particle.reset();
+  context_.inspected.reset();
+  if (const FieldInfo* info = find_field(scene.view.color_by)) context_.view.field = info->field;
+  context_.view.lock_range = false;
+  undo_.clear();
+  fit_next_run_ = true;
+  requested_ = snapshot_request(render_options(context_, 1));
+  session_.request(requested_);
+  session_.open(scene, run);
+  window_.set_title(scene.name.empty() ? "Pushforward" : scene.name + " – Pushforward");
+  if (!file.empty() && !shipped(file)) note_recent(preferences_, file);
+  settle_ = 3;
+}
+
+void Workbench::open_file(const fs::path& file) {
+  settle_changes([this, file] { load_file(file); });
+}
+
+void Workbench::load_file(const fs::path& file) {
+  settle_ = 3;
+  try {
+    open_scene(load_scene(file), file, true);
+  } catch (const InputError& error) {
+    context_.problems = error.problems();
+    context_.problems_source = file.string();
+    show_problems_ = true;
+  } catch (const FileError& error) {
+    report_file_trouble(error.what());
+  }
+}
+
+void Workbench::report_file_trouble(const std::string& what) {
+  context_.problems = {{"", what, ""}};
+  context_.problems_source = "file";
+  show_problems_ = true;
+}
+
+bool Workbench::save_to(const fs::path& file, const Scene& scene) {
+  try {
+    save_scene(scene, file);
+    note_recent(preferences_, file);
+    notices_.add("Saved " + file.string());
+    settle_ = 3;
+    return true;
+  } catch (const FileError& error) {
+    report_file_trouble(error.what());
+    return false;
+  }
+}
+
+bool Workbench::shipped(const fs::path& file) const {
+  std::error_code error;
+  const fs::path folder = fs::canonical(scenes_folder(), error);
+  return !error && fs::weakly_canonical(file, error).parent_path() == folder;
+}
+
+void Workbench::save() {
+  // The scenes that come with the program stay as they came.
+  if (context_.scene_file.empty() || shipped(context_.scene_file)) return ask_save_as();
+  if (save_to(context_.scene_file, context_.scene)) context_.unsaved = false;
+}
+
+void Workbench::ask_save_as() {
+  const bool ours = !context_.scene_file.empty() && !shipped(context_.scene_file);
+  const fs::path proposal = ours ? context_.scene_file : fs::path(kebab(context_.scene.name) + ".json");
+  ask_save("Save scene", ".json", proposal, [this](const fs::path& file) {
+    if (!save_to(file, context_.scene)) return;
+    context_.scene_file = file;
+    context_.unsaved = false;
+    if (after_changes_) std::exchange(after_changes_, {})();
+  });
+}
+
+void Workbench::ask_open() {
+  settle_changes([this] {
+    FileDialog::Request request;
+    request.title = "Open scene";
+    request.start = context_.scene_file.empty() ? fs::path() : context_.scene_file.parent_path();
+    request.places = {scenes_folder()};
+    for (const fs::path& recent : preferences_.recent)
+      if (std::find(request.places.begin(), request.places.end(), recent.parent_path()) == request.places.end())
+        request.places.push_back(recent.parent_path());
+    request.done = [this](const fs::path& file) { load_file(file); };
+    file_dialog_.ask(std::move(request));
+    settle_ = 3;
+  });
+}
+
+void Workbench::ask_save(const std::string& title, const std::string& extension, const fs::path& proposal,
+                         std::function<void(const fs::path&)> done) {
+  FileDialog::Request request;
+  request.purpose = FileDialog::Purpose::save;
+  request.title = title;
+  request.extension = extension;
+  request.start = proposal;
+  for (const fs::path& recent : preferences_.recent)
+    if (std::find(request.places.begin(), request.places.end(), recent.parent_path()) == request.places.end())
+      request.places.push_back(recent.parent_path());
+  request.done = std::move(done);
+  file_dialog_.ask(std::move(request));
+  settle_ = 3;
+}
+
+void Workbench::ask_picture() {
+  ask_save("Save picture", ".png", picture_folder() / (kebab(context_.scene.name) + ".png"),
+           [this](const fs::path& file) {
+             picture_wanted_ = file;
+             settle_ = 3;
+           });
+}
+
+void Workbench::save_picture(const fs::path& file) {
+  const BuildInfo build = build_info();
+  const ImageText about{{"Title", context_.scene.name},
+                        {"Software", "Pushforward " + std::string(build.version)},
+                        {"Commit", std::string(build.commit)},
+                        {"Scene hash", scene_hash(context_.scene)}};
+  try {
+    write_png(view_->picture(context_), file, about);
+    notices_.add("Saved " + file.string());
+  } catch (const std::exception& error) {
+    report_file_trouble(error.what());
+  }
+  settle_ = 3;
+}
+
+void Workbench::pin() {
+  if (context_.current.reports.empty()) return;
+  RunHistory kept = context_.current;
+  kept.pinned = true;
+  context_.pinned.push_front(std::move(kept));
+  settle_ = 3;
+}
+
+void Workbench::leave() {
+  leaving_ = true;
+}
+
+void Workbench::settle_changes(std::function<void()> then) {
+  settle_ = 3;
+  if (!context_.unsaved) return then();
+  after_changes_ = std::move(then);  // draw_unsaved_question() asks
+}
+
+}  // namespace pf::app

@@ -1,0 +1,266 @@
+#include "app/gl_view.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/imgui_painter.hpp"
+#include "app/theme.hpp"
+#include "core/charts/png_painter.hpp"
+#include "render/offscreen.hpp"
+#include "render/overlay.hpp"
+
+namespace pf::app {
+namespace {
+
+constexpr float click_slop = 3;  // pixels that a click may wander
+constexpr double zoom_a_notch = 1.15;
+constexpr double radians_per_pixel = 0.008;
+
+}  // namespace
+
+/// The current camera for tools.
+class CameraMap : public ViewMap {
+ public:
+  explicit CameraMap(const GlView& view) : view_(view) {}
+  std::optional<Point2> to_pixel(const Vec3& point) const override { return view_.to_window(point); }
+  double metres_per_pixel(const Vec3& at) const override {
+    if (const auto* flat = std::get_if<Camera2D>(&view_.camera_))
+      return view_.pixels_per_unit_ / flat->pixels_per_metre;
+    const auto& orbit = std::get<OrbitCamera>(view_.camera_);
+    const double depth = (at - orbit.eye()).dot(orbit.forward());
+    return view_.pixels_per_unit_ / orbit.pixels_per_metre(view_.size_) * std::max(depth, 0.0) / orbit.distance;
+  }
+  float em() const override { return ImGui::GetFontSize(); }
+
+ private:
+  const GlView& view_;
+};
+
+RenderOptions render_options(const AppContext& context, float pixel_scale) {
+  const ViewState& view = context.view;
+  RenderOptions o;
+  o.field = view.field;
+  if (view.lock_range) o.range = ValueRange{view.range_min, view.range_max};
+  o.particles = view.show_particles;
+  o.deformed = view.deformed_particles;
+  o.grid = view.show_grid;
+  o.velocities = view.show_velocities;
+  o.bent_grid = view.show_bent_grid;
+  o.bent_magnification = view.bent_magnification;
+  o.boundaries = o.regions = view.show_boundaries;
+  o.selected = context.selected_particle;
+  o.pixel_scale = pixel_scale;
+  o.theme = view.theme == Theme::dark ? RenderTheme::dark() : RenderTheme::light();
+  return o;
+}
+
+GlView::GlView() {
+  for (const ToolInfo& info : tools()) tools_.push_back(info.make());
+}
+
+void GlView::place(const Rect& where, float pixels_per_unit, float framebuffer_height) {
+  where_ = where;
+  pixels_per_unit_ = pixels_per_unit;
+  framebuffer_height_ = framebuffer_height;
+  const auto pixels = [&](float units) { return std::max(1, static_cast<int>(std::lround(units * pixels_per_unit))); };
+  size_ = {pixels(where.width), pixels(where.height)};
+}
+
+float GlView::overlay_scale() const {
+  return ImGui::GetFontSize() / base_em;
+}
+
+ViewMargins GlView::margins() const {
+  ViewMargins m = overlay_margins(dimension_);
+  const double scale = static_cast<double>(overlay_scale() * pixels_per_unit_);
+  const double widest = 0.25 * size_.width, highest = 0.25 * size_.height;
+  return {std::min(scale * m.left, widest), std::min(scale * m.right, widest), std::min(scale * m.top, highest),
+          std::min(scale * m.bottom, highest)};
+}
+
+void GlView::draw(const AppContext& context) {
+  if (!context.snapshot || where_.empty()) return;
+  const Snapshot& snapshot = *context.snapshot;
+  const bool other_kind = snapshot.dimension != dimension_;
+  if (fit_wanted_ || other_kind) {
+    fitted_ = scene_bounds(snapshot);
+    dimension_ = snapshot.dimension;
+    fit_wanted_ = false;
+    follow_size_ = true;
+    camera_ = fitted_camera(dimension_, fitted_, size_, margins());
+  } else if (follow_size_) {
+    // The angles of an orbit are the user's even where the distance still follows the window.
+    std::visit([&](auto& camera) { camera.fit(fitted_, size_, margins()); }, camera_);
+  }
+  const auto lround = [](float v) { return static_cast<int>(std::lround(v)); };
+  const Viewport viewport{lround(where_.x * pixels_per_unit_),
+                          lround(framebuffer_height_ - where_.bottom() * pixels_per_unit_), size_};
+  renderer_.draw(snapshot, render_options(context, pixels_per_unit_ * overlay_scale()), camera_, viewport);
+}
+
+std::optional<Point2> GlView::to_window(const Vec3& point) const {
+  const auto pixel = to_pixel(camera_, point, size_);
+  if (!pixel) return std::nullopt;
+  return Point2{where_.x + static_cast<float>(pixel->x()) / pixels_per_unit_,
+                where_.y + static_cast<float>(pixel->y()) / pixels_per_unit_};
+}
+
+Vec<2> GlView::to_view_pixel(Point2 window) const {
+  return {static_cast<double>((window.x - where_.x) * pixels_per_unit_),
+          static_cast<double>((window.y - where_.y) * pixels_per_unit_)};
+}
+
+ViewMouse GlView::mouse_now(const AppContext& context, bool pick) const {
+  const ImGuiIO& io = ImGui::GetIO();
+  ViewMouse m;
+  m.dimension = dimension_;
+  m.pixel = {io.MousePos.x, io.MousePos.y};
+  m.shift = io.KeyShift;
+  m.ctrl = io.KeyCtrl;
+  m.alt = io.KeyAlt;
+  const Vec<2> pixel = to_view_pixel(m.pixel);
+  if (const auto* flat = std::get_if<Camera2D>(&camera_)) {
+    m.origin = flat->to_world(pixel, size_);
+    m.metres_per_pixel = pixels_per_unit_ / flat->pixels_per_metre;
+  } else {
+    const auto& orbit = std::get<OrbitCamera>(camera_);
+    m.origin = orbit.eye();
+    m.direction = orbit.ray(pixel, size_);
+    m.forward = orbit.forward();
+    m.metres_per_pixel = pixels_per_unit_ / orbit.pixels_per_metre(size_);
+  }
+  if (pick && context.snapshot)
+    m.particle = pick_particle(*context.snapshot, camera_, size_, pixel, 6.0 * static_cast<double>(pixels_per_unit_));
+  return m;
+}
+
+void GlView::begin_run(AppContext& context) {
+  cancel_tool(context);
+  renderer_.forget_range();
+}
+
+void GlView::cancel_tool(AppContext& context) {
+  if (!tools_.empty()) tools_[tool_]->cancel(context);
+  held_ = false;
+  if (drag_ == Drag::tool) drag_ = Drag::none;
+}
+
+void GlView::handle_mouse(AppContext& context) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (drag_ != Drag::none) handle_hold(context);
+  const bool over = where_.contains(io.MousePos.x, io.MousePos.y) && !io.WantCaptureMouse;
+  if (drag_ == Drag::none && over && context.snapshot) handle_press(context);
+  if (io.MouseWheel != 0 && (over || held_)) handle_wheel(context, io.MouseWheel);
+}
+
+void GlView::handle_press(AppContext& context) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool left = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+  const bool middle = ImGui::IsMouseClicked(ImGuiMouseButton_Middle);
+  const bool right = ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+  if (!left && !middle && !right) return;
+  pressed_at_ = {io.MousePos.x, io.MousePos.y};
+  moved_ = false;
+  const bool flat = dimension_ == 2;
+  if (left) {
+    held_ = !tools_.empty() && tools_[tool_]->press(mouse_now(context, true), context);
+    // Beside the material the left button moves the camera, as laptops have no middle one.
+    drag_ = held_ ? Drag::tool : flat || io.KeyShift ? Drag::pan : Drag::orbit;
+  } else {
+    drag_ = flat || middle || io.KeyShift ? Drag::pan : Drag::orbit;
+  }
+}
+
+void GlView::handle_hold(AppContext& context) {
+  const ImGuiIO& io = ImGui::GetIO();
+  moved_ |= std::hypot(io.MousePos.x - pressed_at_.x, io.MousePos.y - pressed_at_.y) > click_slop;
+  const bool down = io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2];
+  if (drag_ == Drag::tool) {
+    Tool& tool = *tools_[tool_];
+    if (io.MouseDown[0]) return tool.drag(mouse_now(context, false), context);
+    tool.release(mouse_now(context, false), context);
+    held_ = false;
+    if (!moved_) tool.click(mouse_now(context, true), context);
+    drag_ = Drag::none;
+    return;
+  }
+  if (down) return handle_camera();
+  drag_ = Drag::none;
+  if (!moved_ && ImGui::IsMouseReleased(ImGuiMouseButton_Left) && !tools_.empty())
+    tools_[tool_]->click(mouse_now(context, true), context);
+}
+
+void GlView::handle_camera() {
+  const ImVec2 delta = ImGui::GetIO().MouseDelta;
+  if (!moved_ || (delta.x == 0 && delta.y == 0)) return;
+  const Vec<2> pixels{static_cast<double>(delta.x * pixels_per_unit_), static_cast<double>(delta.y * pixels_per_unit_)};
+  if (auto* flat = std::get_if<Camera2D>(&camera_)) {
+    flat->pan(pixels);
+    follow_size_ = false;
+  } else if (auto& orbit = std::get<OrbitCamera>(camera_); drag_ == Drag::orbit) {
+    orbit.rotate(-radians_per_pixel * static_cast<double>(delta.x), radians_per_pixel * static_cast<double>(delta.y));
+    follow_size_ = false;
+  } else {
+    orbit.pan(pixels, size_);
+    follow_size_ = false;
+  }
+}
+
+void GlView::handle_wheel(AppContext& context, float notches) {
+  if (held_ && tools_[tool_]->wheel(notches, mouse_now(context, false), context)) return;
+  const double factor = std::pow(zoom_a_notch, static_cast<double>(notches));
+  const ImVec2 at = ImGui::GetIO().MousePos;
+  if (auto* flat = std::get_if<Camera2D>(&camera_))
+    flat->zoom(factor, to_view_pixel({at.x, at.y}), size_);
+  else
+    std::get<OrbitCamera>(camera_).zoom(factor);
+  follow_size_ = false;
+}
+
+void GlView::draw_overlay(AppContext& context, ImDrawList& list) {
+  if (!context.snapshot || where_.empty()) return;
+  const RenderOptions options = render_options(context, pixels_per_unit_ * overlay_scale());
+  const float scale = overlay_scale();
+  ImGuiPainter scaled(list, scale);
+  const OverlayInfo info = OverlayInfo::of(*context.snapshot, renderer_, options, camera_, size_);
+  pf::draw_overlay(info, options.theme, scaled, {where_.x / scale, where_.y / scale},
+                   {where_.right() / scale, where_.bottom() / scale});
+  draw_tool(context, list);
+}
+
+void GlView::draw_tool(AppContext& context, ImDrawList& list) {
+  if (tools_.empty() || ((drag_ == Drag::pan || drag_ == Drag::orbit) && moved_)) return;
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool over = where_.contains(io.MousePos.x, io.MousePos.y) && !io.WantCaptureMouse;
+  const ViewMouse mouse = mouse_now(context, false);
+  ImGuiPainter painter(list);
+  painter.push_clip({where_.x, where_.y}, {where_.right(), where_.bottom()});
+  tools_[tool_]->draw(painter, CameraMap(*this), over || held_ ? &mouse : nullptr, context);
+  painter.pop_clip();
+}
+
+Image GlView::picture(const AppContext& context) {
+  const float finer = std::max(1.0f, 1600.0f / static_cast<float>(size_.width));
+  const auto more = [&](int pixels) { return static_cast<int>(std::lround(finer * static_cast<float>(pixels))); };
+  const ViewSize size{more(size_.width), more(size_.height)};
+  Camera camera = camera_;
+  if (auto* flat = std::get_if<Camera2D>(&camera)) flat->pixels_per_metre *= static_cast<double>(finer);
+  RenderOptions options = render_options(context, finer * pixels_per_unit_ * overlay_scale());
+  options.best_quality = true;
+  options.selected.reset();
+  OffscreenTarget target(size);
+  target.bind();
+  renderer_.draw(*context.snapshot, options, camera, {0, 0, size});
+  Image image = target.read();
+  OverlayInfo info = OverlayInfo::of(*context.snapshot, renderer_, options, camera, size);
+  info.title = context.scene.name;
+  PngPainter painter(image, options.pixel_scale);
+  pf::draw_overlay(
+      info, options.theme, painter, {0, 0},
+      {static_cast<float>(size.width) / options.pixel_scale, static_cast<float>(size.height) / options.pixel_scale});
+  return image;
+}
+
+}  // namespace pf::app

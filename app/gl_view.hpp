@@ -1,0 +1,80 @@
+// The view: draws the newest snapshot with render/, moves the camera and feeds the mouse to the tool in hand.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/context.hpp"
+#include "app/layout.hpp"
+#include "app/tools/tool.hpp"
+#include "core/charts/image.hpp"
+#include "render/camera.hpp"
+#include "render/renderer.hpp"
+
+struct ImDrawList;
+
+namespace pf::app {
+
+/// Render's options for what the user chose to see. `pixel_scale`: framebuffer pixels per layout pixel.
+RenderOptions render_options(const AppContext& context, float pixel_scale);
+/// Needs a current OpenGL context from construction to destruction; the UI thread's.
+class GlView {
+ public:
+  GlView();
+
+  /// Where the view is. `pixels_per_unit`: framebuffer pixels per unit of `where`.
+  void place(const Rect& where, float pixels_per_unit, float framebuffer_height);
+  /// Draws into the framebuffer; before ImGui draws over it.
+  void draw(const AppContext& context);
+  /// Inside of ImGui's frame: camera and tools.
+  void handle_mouse(AppContext& context);
+  /// The tool's marks, clock, scale, axes and colour bar, on `list`.
+  void draw_overlay(AppContext& context, ImDrawList& list);
+
+  /// The view and its overlay, without panels, in the best quality; at least 1600 pixels wide.
+  Image picture(const AppContext& context);
+
+  /// Shows everything that matters from the next snapshot on; until the user moves the camera it follows the size.
+  void fit() { fit_wanted_ = true; }
+  /// Another run begins: the colour range starts anew, the tool lets go.
+  void begin_run(AppContext& context);
+  void cancel_tool(AppContext& context);
+  bool tool_holds() const { return held_; }
+  const Camera& camera() const { return camera_; }
+  const Rect& place() const { return where_; }
+  ViewSize size() const { return size_; }
+  /// Where a point of the world is in the window, as the last draw() showed it.
+  std::optional<Point2> to_window(const Vec3& point) const;
+
+ private:
+  friend class CameraMap;
+  void draw_tool(AppContext& context, ImDrawList& list);
+  ViewMouse mouse_now(const AppContext& context, bool pick) const;
+  Vec<2> to_view_pixel(Point2 window) const;
+  ViewMargins margins() const;
+  float overlay_scale() const;
+  void handle_press(AppContext& context);
+  void handle_hold(AppContext& context);
+  void handle_camera();
+  void handle_wheel(AppContext& context, float notches);
+
+  Renderer renderer_;
+  Camera camera_ = Camera2D{};
+  std::vector<std::unique_ptr<Tool>> tools_;
+  std::size_t tool_ = 0;
+  Rect where_;
+  float pixels_per_unit_ = 1;
+  float framebuffer_height_ = 0;
+  ViewSize size_;
+  bool fit_wanted_ = true;
+  bool follow_size_ = true;  ///< the camera is still the fitted one
+  ViewBounds fitted_;        ///< what it was fitted to
+  int dimension_ = 0;        ///< of the snapshot that the camera is for
+  enum class Drag { none, tool, pan, orbit } drag_ = Drag::none;
+  bool held_ = false;  ///< the tool has the mouse
+  Point2 pressed_at_;
+  bool moved_ = false;  ///< further than a click may
+};
+
+}  // namespace pf::app

@@ -1,0 +1,171 @@
+// The bar under the view: run, step, reset, how fast, what at the end, and what is reached.
+#include <imgui.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "app/theme.hpp"
+#include "app/workbench.hpp"
+
+namespace pf::app {
+namespace {
+
+enum class Icon { play, pause, step, reset };
+
+/// Drawn, not typed: no font has all four.
+void draw_icon(ImDrawList& list, Icon icon, ImVec2 c, float r, ImU32 color) {
+  switch (icon) {
+    case Icon::play:
+      list.AddTriangleFilled({c.x - 0.7f * r, c.y - r}, {c.x - 0.7f * r, c.y + r}, {c.x + r, c.y}, color);
+      break;
+    case Icon::pause:
+      list.AddRectFilled({c.x - 0.75f * r, c.y - 0.9f * r}, {c.x - 0.2f * r, c.y + 0.9f * r}, color);
+      list.AddRectFilled({c.x + 0.2f * r, c.y - 0.9f * r}, {c.x + 0.75f * r, c.y + 0.9f * r}, color);
+      break;
+    case Icon::step:
+      list.AddTriangleFilled({c.x - 0.8f * r, c.y - 0.9f * r}, {c.x - 0.8f * r, c.y + 0.9f * r}, {c.x + 0.5f * r, c.y},
+                             color);
+      list.AddRectFilled({c.x + 0.5f * r, c.y - 0.9f * r}, {c.x + 0.95f * r, c.y + 0.9f * r}, color);
+      break;
+    case Icon::reset: {
+      list.PathArcTo(c, 0.8f * r, -1.1f, 3.8f, 20);
+      list.PathStroke(color, ImDrawFlags_None, 0.26f * r);
+      const ImVec2 tip{c.x + 0.8f * r * std::cos(-1.1f), c.y + 0.8f * r * std::sin(-1.1f)};
+      list.AddTriangleFilled({tip.x - 0.75f * r, tip.y + 0.05f * r}, {tip.x + 0.15f * r, tip.y - 0.55f * r},
+                             {tip.x + 0.2f * r, tip.y + 0.6f * r}, color);
+      break;
+    }
+  }
+}
+
+bool icon_button(const char* id, Icon icon, const char* hint, bool primary, bool enabled = true) {
+  const float em = ImGui::GetFontSize(), height = ImGui::GetFrameHeight();
+  ImGui::BeginDisabled(!enabled);
+  if (primary) push_accent_button();
+  const bool pressed = ImGui::Button(id, {2.4f * em, height});
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  draw_icon(*ImGui::GetWindowDrawList(), icon, {(min.x + max.x) / 2, (min.y + max.y) / 2}, 0.36f * em,
+            ImGui::GetColorU32(ImGuiCol_Text));
+  if (primary) pop_accent_button();
+  ImGui::EndDisabled();
+  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", hint);
+  return pressed;
+}
+
+struct Rate {
+  double value;
+  const char* label;
+};
+constexpr std::array rates{
+    Rate{1, "Real time"}, Rate{0.5, "1/2"},   Rate{0.2, "1/5"},    Rate{0.1, "1/10"},
+    Rate{0.05, "1/20"},   Rate{0.02, "1/50"}, Rate{0.01, "1/100"}, Rate{0, "As fast as possible"}};
+constexpr std::array ends{"Pause at the end", "Go on past the end", "Loop"};
+
+std::string hint(const KeyBinding& b) {
+  return std::string(b.label) + " (" + b.shortcut + ")";
+}
+
+/// "0.98× real time", "1/51 of real time".
+std::string rate_text(double rate) {
+  char text[48];
+  if (rate >= 0.1)
+    std::snprintf(text, sizeof text, "%.*f× real time", rate < 10 ? 2 : 0, rate);
+  else
+    std::snprintf(text, sizeof text, "1/%.0f of real time", 1 / rate);
+  return text;
+}
+
+}  // namespace
+
+void Workbench::draw_transport() {
+  const float em = ImGui::GetFontSize();
+  const float row = layout_.transport.height / static_cast<float>(layout_.transport_rows);
+  const float inset = std::floor((row - ImGui::GetFrameHeight()) / 2);
+  ImGui::SetCursorPosY(inset);
+  draw_transport_buttons();
+  ImGui::SameLine();
+  draw_playback_choices();
+  if (layout_.transport_rows == 2)
+    ImGui::SetCursorPosY(row + inset);
+  else
+    ImGui::SameLine(0, em);
+  draw_transport_status(ImGui::GetWindowWidth() - 0.8f * em);
+}
+
+void Workbench::draw_transport_buttons() {
+  const bool running = context_.status.state == RunState::running;
+  const float gap = 0.27f * ImGui::GetFontSize();
+  if (icon_button("##run", running ? Icon::pause : Icon::play,
+                  running                                       ? "Pause (Space)"
+                  : context_.status.state == RunState::finished ? "Run again (Space)"
+                                                                : "Run (Space)",
+                  true, context_.status.state != RunState::loading))
+    act(Action::run_pause);
+  ImGui::SameLine(0, gap);
+  if (icon_button("##step", Icon::step, hint(binding(Action::step)).c_str(), false, possible(Action::step)))
+    act(Action::step);
+  ImGui::SameLine(0, gap);
+  if (icon_button("##reset", Icon::reset, hint(binding(Action::reset)).c_str(), false)) act(Action::reset);
+}
+
+void Workbench::draw_playback_choices() {
+  const float em = ImGui::GetFontSize();
+  const float room = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x;
+  const float width = std::min(10.5f * em, room / 2);
+  const char* now = rates.front().label;
+  for (const Rate& rate : rates)
+    if (rate.value == rate_) now = rate.label;
+  ImGui::SetNextItemWidth(width);
+  if (ImGui::BeginCombo("##rate", now, ImGuiComboFlags_HeightLarge)) {
+    for (const Rate& rate : rates)
+      if (ImGui::Selectable(rate.label, rate.value == rate_)) session_.set_rate(rate_ = rate.value);
+    ImGui::EndCombo();
+  }
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("How fast simulated time runs, if the machine keeps up");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(width);
+  const auto end = static_cast<std::size_t>(at_end_);
+  if (ImGui::BeginCombo("##at-end", ends[end])) {
+    for (std::size_t i = 0; i < ends.size(); ++i)
+      if (ImGui::Selectable(ends[i], i == end)) session_.set_at_end(at_end_ = static_cast<AtEnd>(i));
+    ImGui::EndCombo();
+  }
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("What happens at t = %g s", context_.scene.time.end);
+}
+
+void Workbench::draw_transport_status(float right_edge) {
+  const SessionStatus& s = context_.status;
+  char text[96];
+  std::string left, right;
+  if (s.state == RunState::loading) {
+    left = "Loading…";
+  } else {
+    std::snprintf(text, sizeof text, "Step %ld", s.step);
+    left = text;
+    if (s.edit.applies_at_step >= 0 && s.step_in_flight)
+      left += "   change applies at step " + std::to_string(s.edit.applies_at_step);
+    else if (s.edit.needs_reset)
+      left += "   some changes need a reset (R)";
+    else if (s.state == RunState::finished)
+      left += "   end reached";
+  }
+  if (s.step_ms > 0) {
+    std::snprintf(text, sizeof text, s.step_ms < 10 ? "%.1f ms a step" : "%.0f ms a step", s.step_ms);
+    right = text;
+    if (s.state == RunState::running && s.achieved_rate > 0) right = rate_text(s.achieved_rate) + "   " + right;
+  }
+  const float start = ImGui::GetCursorPosX(), em = ImGui::GetFontSize();
+  ImGui::AlignTextToFramePadding();
+  if (s.edit.needs_reset || s.edit.applies_at_step >= 0)
+    ImGui::TextUnformatted(left.c_str());
+  else
+    ImGui::TextDisabled("%s", left.c_str());
+  const float left_end = start + ImGui::CalcTextSize(left.c_str()).x;
+  const float right_start = right_edge - ImGui::CalcTextSize(right.c_str()).x;
+  if (right.empty() || right_start < left_end + em) return;  // the step says more than the speed
+  ImGui::SameLine(right_start);
+  ImGui::TextDisabled("%s", right.c_str());
+}
+
+}  // namespace pf::app

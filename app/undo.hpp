@@ -1,0 +1,60 @@
+// Undo and redo of scene edits.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/scene/scene.hpp"
+
+namespace pf::app {
+
+class UndoStack {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  void clear() {
+    past_.clear();
+    future_.clear();
+    last_.clear();
+  }
+  /// `before` is about to be changed by `edits`. Edits of one place in quick succession (a dragged slider) are
+  /// one step back.
+  void push(const Scene& before, const std::vector<Edit>& edits, Clock::time_point now = Clock::now()) {
+    std::string places;
+    for (const Edit& edit : edits) places += edit.pointer + "\n";
+    const bool same_gesture = !past_.empty() && places == last_ && now - when_ < gesture;
+    last_ = places;
+    when_ = now;
+    future_.clear();
+    if (same_gesture) return;
+    past_.push_back(before);
+    if (past_.size() > most) past_.erase(past_.begin());
+  }
+  bool can_undo() const { return !past_.empty(); }
+  bool can_redo() const { return !future_.empty(); }
+  /// The scene before the newest edit, or nothing. `now` becomes what redo() gives back.
+  std::optional<Scene> undo(const Scene& now) { return move(past_, future_, now); }
+  std::optional<Scene> redo(const Scene& now) { return move(future_, past_, now); }
+
+ private:
+  static constexpr std::chrono::milliseconds gesture{700};
+  static constexpr std::size_t most = 200;
+
+  std::optional<Scene> move(std::vector<Scene>& from, std::vector<Scene>& to, const Scene& now) {
+    last_.clear();
+    if (from.empty()) return std::nullopt;
+    to.push_back(now);
+    Scene scene = std::move(from.back());
+    from.pop_back();
+    return scene;
+  }
+
+  std::vector<Scene> past_, future_;
+  std::string last_;
+  Clock::time_point when_{};
+};
+
+}  // namespace pf::app

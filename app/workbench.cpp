@@ -1,0 +1,276 @@
+#include "app/workbench.hpp"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "app/panels/docks.hpp"
+#include "app/theme.hpp"
+#include "render/picture.hpp"
+
+namespace pf::app {
+namespace {
+
+constexpr auto dock_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                            ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+constexpr std::size_t solver_history = 200;
+
+/// A part of the window, filled by `content`.
+template <typename Content>
+void part(const char* name, const Rect& where, ImVec2 padding, int flags, const Content& content) {
+  if (where.empty()) return;
+  ImGui::SetNextWindowPos({where.x, where.y});
+  ImGui::SetNextWindowSize({where.width, where.height});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+  ImGui::Begin(name, nullptr, dock_flags | flags);
+  ImGui::PopStyleVar(2);
+  content();
+  ImGui::End();
+}
+
+bool same_news(const SessionStatus& a, const SessionStatus& b) {
+  return a.state == b.state && a.run == b.run && a.step == b.step && a.step_in_flight == b.step_in_flight &&
+         a.edit.edit == b.edit.edit && a.edit.applies_at_step == b.edit.applies_at_step &&
+         a.edit.needs_reset == b.edit.needs_reset && a.message == b.message;
+}
+
+WindowSize remembered_size(const Preferences& p) {
+  return {p.window_width, p.window_height, p.maximized};
+}
+
+}  // namespace
+
+Workbench::Workbench(const Scene& scene, const std::filesystem::path& file, const Setup& setup)
+    : window_("Pushforward", remembered_size(load_preferences(setup.folders)), setup.visible),
+      preferences_(load_preferences(setup.folders)),
+      setup_(setup),
+      session_(setup.threads),
+      context_{session_},
+      at_end_(setup.at_end) {
+  context_.view.theme = preferences_.theme;
+  context_.view.ui_scale = preferences_.ui_scale;
+  drawer_open_ = preferences_.drawer_open;
+  session_.set_wake([this] {
+    news_ = true;
+    GlfwWindow::wake();
+  });
+  session_.set_at_end(at_end_);
+  set_actions();
+  open_scene(scene, file, setup.run);  // the worker builds while fonts and shaders are made
+  follow_scale();
+  view_ = std::make_unique<GlView>();
+}
+
+Workbench::~Workbench() {
+  session_.set_wake({});
+  if (!setup_.remember) return;
+  const WindowSize size = window_.size();
+  preferences_.window_width = size.width;
+  preferences_.window_height = size.height;
+  preferences_.maximized = size.maximized;
+  preferences_.theme = context_.view.theme;
+  preferences_.ui_scale = std::clamp(context_.view.ui_scale, smallest_scale, largest_scale);
+  preferences_.drawer_open = drawer_open_;
+  try {
+    save_preferences(preferences_, setup_.folders);
+  } catch (const FileError&) {
+    // The window is gone: there is nobody left to tell, and nothing of the user's work is lost.
+  }
+}
+
+double Workbench::patience(double longest) const {
+  if (settle_ > 0) return 0;
+  double seconds = longest;
+  if (notices_.any() || context_.status.step_in_flight) seconds = std::min(seconds, 0.2);
+  if (ImGui::GetIO().WantTextInput) seconds = std::min(seconds, 0.25);  // the cursor blinks
+  return seconds;
+}
+
+bool Workbench::frame(double longest) {
+  window_.wait(patience(longest));
+  if (window_.take_touched()) settle_ = 3;
+  handle_input();
+  const bool news = news_.exchange(false);
+  const SessionStatus before = context_.status;
+  const auto seen = context_.snapshot;
+  follow_session();
+  const bool changed = (news && !same_news(before, context_.status)) || seen != context_.snapshot;
+  const bool timed = notices_.expire() || ImGui::GetIO().WantTextInput;
+  if (changed || timed || !same_news(before, context_.status)) settle_ = std::max(settle_, 1);
+  if (settle_ > 0 && !leaving_) {
+    --settle_;
+    draw();
+  }
+  return !leaving_;
+}
+
+void Workbench::handle_input() {
+  for (const auto& key : window_.take_keys()) {
+    const auto press = find_key(key.key, key.mods);
+    if (!press || (key.repeated && press->action != Action::step)) continue;
+    const bool modal = ImGui::GetTopMostPopupModal() != nullptr || file_dialog_.is_open();
+    if (!modal && possible(press->action)) act(press->action, press->index);
+  }
+  for (const auto& file : window_.take_dropped()) {
+    open_file(file);
+    break;  // one window, one scene
+  }
+  if (window_.take_focus_lost() && view_) view_->cancel_tool(context_);
+  if (window_.take_close_request()) act(Action::quit);
+}
+
+void Workbench::follow_session() {
+  context_.status = session_.status();
+  context_.snapshot = session_.snapshot();  // after the status: at least as new
+  const SnapshotRequest wanted = snapshot_request(render_options(context_, 1));
+  if (wanted.fields != requested_.fields || wanted.grid != requested_.grid) {
+    requested_ = wanted;
+    session_.request(wanted);
+  }
+  follow_history();
+  follow_selection();
+}
+
+void Workbench::follow_selection() {
+  const auto& selected = context_.selected_particle;
+  if (!selected) {
+    context_.inspected.reset();
+    asked_particle_.reset();
+    return;
+  }
+  if (asked_particle_ != selected || asked_about_ != context_.snapshot) {
+    if (asked_particle_ != selected) context_.inspected.reset();
+    asked_particle_ = selected;
+    asked_about_ = context_.snapshot;
+    session_.ask_particle(*selected);
+  }
+  if (auto answer = session_.answered_particle(); answer && answer->id == *selected) {
+    context_.inspected = std::move(answer);
+    settle_ = std::max(settle_, 1);
+  }
+}
+
+void Workbench::follow_history() {
+  if (context_.status.run != shown_run_ && context_.status.state != RunState::loading) {
+    shown_run_ = context_.status.run;
+    context_.current = {context_.scene.name, false, {}};
+    if (view_) view_->begin_run(context_);
+    if (view_ && std::exchange(fit_next_run_, false)) view_->fit();
+  }
+  session_.drain_history(fresh_);
+  auto& reports = context_.current.reports;
+  const auto later =
+      std::stable_partition(fresh_.begin(), fresh_.end(), [&](const HistorySample& s) { return s.run <= shown_run_; });
+  for (auto it = fresh_.begin(); it != later; ++it) {
+    if (it->run != shown_run_) continue;
+    // Newton's iterations are shown for the newest steps only; a long run need not keep them all.
+    if (reports.size() >= solver_history) reports[reports.size() - solver_history].newton = {};
+    reports.push_back(std::move(it->report));
+  }
+  fresh_.erase(fresh_.begin(), later);
+}
+
+void Workbench::follow_scale() {
+  context_.view.ui_scale = std::clamp(context_.view.ui_scale, smallest_scale, largest_scale);
+  const float scale = window_.content_scale() * context_.view.ui_scale;
+  const bool other_scale = std::abs(scale - built_scale_) > 0.01f;
+  // While a slider for the scale is held, the window would move away under the mouse.
+  const bool busy = built_scale_ > 0 && ImGui::IsAnyMouseDown();
+  if (other_scale && !busy) {
+    build_fonts(scale);
+    window_.renew_fonts();
+    built_scale_ = scale;
+    settle_ = 3;
+  }
+  if ((other_scale && !busy) || applied_theme_ != context_.view.theme || frames_ == 0) {
+    apply_theme(context_.view.theme, built_scale_);
+    applied_theme_ = context_.view.theme;
+  }
+}
+
+void Workbench::draw() {
+  follow_scale();
+  window_.begin_frame();
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  LayoutInput in;
+  in.width = display.x;
+  in.height = display.y;
+  in.em = ImGui::GetFontSize();
+  in.menu_height = menu_height_ > 0 ? menu_height_ : ImGui::GetFrameHeight();
+  in.hide_panels = context_.view.hide_panels;
+  in.inspector = has_inspector(context_);
+  in.drawer_open = drawer_open_;
+  in.drawer_height = preferences_.drawer_height;
+  layout_ = arrange(in);
+  view_->place(layout_.view, window_.pixels_per_unit(), static_cast<float>(window_.framebuffer_height()));
+  view_->handle_mouse(context_);
+  draw_parts();
+  view_->draw(context_);
+  if (!picture_wanted_.empty()) save_picture(std::exchange(picture_wanted_, {}));
+  window_.end_frame();
+  ++frames_;
+}
+
+void Workbench::draw_parts() {
+  const float em = ImGui::GetFontSize();
+  const ImVec2 usual = ImGui::GetStyle().WindowPadding;
+  view_->draw_overlay(context_, *ImGui::GetBackgroundDrawList());
+  if (!layout_.menu.empty()) draw_menus();
+  part("left", layout_.left, usual, 0, [&] {
+    ImGui::BeginChild("settings");
+    draw_left_column(context_);
+    ImGui::EndChild();
+  });
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
+  part("transport", layout_.transport, {0.8f * em, 0}, ImGuiWindowFlags_NoScrollWithMouse, [&] { draw_transport(); });
+  ImGui::PopStyleColor();
+  part("inspector", layout_.inspector, usual, 0, [&] { draw_inspector(context_); });
+  part("drawer", layout_.drawer, {0.8f * em, 0.25f * em}, ImGuiWindowFlags_NoScrollWithMouse, [&] {
+    if (drawer_open_) draw_splitter();
+    draw_bottom_drawer(context_);
+    draw_drawer_toggle();
+  });
+  draw_failure_banner();
+  notices_.draw(layout_.view);
+  draw_dialogs();
+}
+
+void Workbench::draw_drawer_toggle() {
+  const float em = ImGui::GetFontSize(), size = ImGui::GetFrameHeight();
+  const Rect& drawer = layout_.drawer;
+  ImGui::SetCursorScreenPos({drawer.right() - size - 0.8f * em, drawer.y + 0.25f * em});
+  bool toggle = ImGui::InvisibleButton("toggle", {size, size});
+  const ImU32 color = ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_Text : ImGuiCol_TextDisabled);
+  const ImVec2 min = ImGui::GetItemRectMin();
+  const float y = drawer_open_ ? 0.15f * em : -0.15f * em;
+  const std::array<ImVec2, 3> chevron{ImVec2{min.x + size / 2 - 0.3f * em, min.y + size / 2 - y},
+                                      ImVec2{min.x + size / 2, min.y + size / 2 + y},
+                                      ImVec2{min.x + size / 2 + 0.3f * em, min.y + size / 2 - y}};
+  ImGui::GetWindowDrawList()->AddPolyline(chevron.data(), 3, color, ImDrawFlags_None, 0.12f * em);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip(drawer_open_ ? "Close the plots" : "Open the plots");
+  // A click on a closed drawer's tab opens it, too.
+  toggle |= !drawer_open_ && ImGui::IsWindowHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Left);
+  if (!toggle) return;
+  drawer_open_ = !drawer_open_;
+  settle_ = 3;
+}
+
+void Workbench::draw_splitter() {
+  const float em = ImGui::GetFontSize();
+  const ImVec2 cursor = ImGui::GetCursorPos();
+  ImGui::SetCursorScreenPos({layout_.drawer.x, layout_.drawer.y});
+  ImGui::InvisibleButton("splitter", {layout_.drawer.width - 4 * em, 0.35f * em});
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+  if (ImGui::IsItemActive()) preferences_.drawer_height -= ImGui::GetIO().MouseDelta.y / em;
+  preferences_.drawer_height = std::clamp(preferences_.drawer_height, 8.0f, 60.0f);
+  ImGui::SetCursorPos(cursor);
+}
+
+}  // namespace pf::app

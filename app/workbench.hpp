@@ -1,0 +1,146 @@
+// The window and everything in it. frame() is one turn of the loop, so that a test can take the loop's place.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/context.hpp"
+#include "app/file_dialog.hpp"
+#include "app/gl_view.hpp"
+#include "app/glfw_window.hpp"
+#include "app/keys.hpp"
+#include "app/layout.hpp"
+#include "app/notices.hpp"
+#include "app/preferences.hpp"
+#include "app/session.hpp"
+#include "app/undo.hpp"
+
+namespace pf::app {
+
+class Workbench {
+ public:
+  struct Setup {
+    bool visible = true;
+    int threads = 0;
+    bool run = true;  ///< start running at once
+    AtEnd at_end = AtEnd::pause;
+    bool remember = true;  ///< write preferences and recent files
+    PreferenceFolders folders = default_folders();
+    std::filesystem::path pictures;  ///< where F12 saves; empty: the user's folder of pictures
+  };
+
+  /// Opens the window; throws DisplayError when that cannot be done.
+  Workbench(const Scene& scene, const std::filesystem::path& file, const Setup& setup);
+  ~Workbench();
+  Workbench(const Workbench&) = delete;
+  Workbench& operator=(const Workbench&) = delete;
+
+  /// Waits until there is something to do, at most `longest` seconds, and draws a frame where one is due. False
+  /// once the user has left.
+  bool frame(double longest = 10);
+
+  AppContext& context() { return context_; }
+  const Layout& layout() const { return layout_; }
+  const GlView& view() const { return *view_; }
+  long frames_drawn() const { return frames_; }
+  /// What a key or a menu item does.
+  void act(Action action, int index = 0);
+  /// Whether the action would do something now; menus grey out the others.
+  bool possible(Action action) const;
+  /// Whether the scene has the nth field: no error without an exact motion, no materials where there is one.
+  bool offers_field(int index) const;
+  /// Replaces the scene without asking about unsaved changes.
+  void open_scene(const Scene& scene, const std::filesystem::path& file, bool run);
+
+ private:
+  // workbench.cpp: the loop
+  double patience(double longest) const;
+  void handle_input();
+  void follow_session();
+  void follow_history();
+  void follow_selection();
+  void follow_scale();
+  void draw();
+  void draw_parts();
+  void draw_drawer_toggle();
+  void draw_splitter();
+
+  // actions.cpp
+  void set_actions();
+  bool change(const std::vector<Edit>& edits);
+  void send_scene(Scene scene);
+  void open_file(const std::filesystem::path& file);
+  void load_file(const std::filesystem::path& file);
+  bool save_to(const std::filesystem::path& file, const Scene& scene);
+  void save();
+  void ask_open();
+  void ask_save(const std::string& title, const std::string& extension, const std::filesystem::path& proposal,
+                std::function<void(const std::filesystem::path&)> done);
+  void ask_save_as();
+  void ask_picture();
+  void pin();
+  void deselect();
+  void save_picture(const std::filesystem::path& file);
+  void leave();
+  /// Runs `then` at once, or after the user has said what becomes of unsaved changes.
+  void settle_changes(std::function<void()> then);
+  void report_file_trouble(const std::string& what);
+  std::string file_label() const;
+  bool shipped(const std::filesystem::path& file) const;
+
+  // menus.cpp, transport.cpp, dialogs.cpp
+  void draw_menus();
+  void draw_file_menu();
+  void draw_run_menu();
+  void draw_view_menu();
+  void menu_item(Action action, bool checked = false);
+  void draw_transport();
+  void draw_transport_buttons();
+  void draw_playback_choices();
+  void draw_transport_status(float right_edge);
+  void draw_dialogs();
+  void draw_unsaved_question();
+  void draw_problems();
+  void draw_help();
+  void draw_about();
+  void draw_failure_banner();
+
+  GlfwWindow window_;
+  Preferences preferences_;
+  Setup setup_;
+  std::atomic<bool> news_{false};  ///< from the worker
+  Session session_;                // after window_: its worker wakes the window until it is joined
+  AppContext context_;
+  UndoStack undo_;
+  std::unique_ptr<GlView> view_;
+  FileDialog file_dialog_;
+  Notices notices_;
+  Layout layout_;
+
+  int settle_ = 3;  ///< frames that ImGui still needs to come to rest
+  long frames_ = 0;
+  bool leaving_ = false;
+  float built_scale_ = 0;  ///< of the fonts
+  Theme applied_theme_ = Theme::dark;
+  float menu_height_ = 0;
+  std::uint64_t shown_run_ = 0;
+  bool fit_next_run_ = true;
+  AtEnd at_end_ = AtEnd::pause;
+  double rate_ = 1;
+  SnapshotRequest requested_;
+  std::shared_ptr<const Snapshot> asked_about_;  ///< the state that the inspector's last question was about
+  std::optional<std::uint32_t> asked_particle_;
+  bool drawer_open_ = false;
+  std::vector<HistorySample> fresh_;
+
+  bool show_help_ = false, show_about_ = false, show_problems_ = false;
+  std::string picture_wanted_;           ///< file for the frame that is being drawn
+  std::function<void()> after_changes_;  ///< waits for the answer about unsaved changes
+};
+
+}  // namespace pf::app

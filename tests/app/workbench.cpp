@@ -1,0 +1,294 @@
+// The whole window, driven turn by turn: what the user does must reach the simulation and the picture.
+#include "app/workbench.hpp"
+
+#include <doctest/doctest.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <thread>
+
+#include "core/assets.hpp"
+#include "core/charts/image.hpp"
+#include "core/scene/scene_io.hpp"
+#include "tests/app/display.hpp"
+
+using namespace pf;
+using namespace pf::app;
+namespace fs = std::filesystem;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A window on a scratch folder. Not shown, so that a person at the machine is not disturbed.
+struct Stage {
+  fs::path folder = fs::temp_directory_path() / ("pushforward-app-" + std::to_string(getpid()));
+  std::unique_ptr<Workbench> bench;
+
+  explicit Stage(const Scene& scene, bool visible = false, float ui_scale = 1) {
+    fs::remove_all(folder);
+    fs::create_directories(folder / "pictures");
+    Workbench::Setup setup;
+    setup.visible = visible;
+    setup.run = false;
+    setup.folders = {folder / "config", folder / "state"};
+    setup.pictures = folder / "pictures";
+    if (ui_scale != 1) {
+      Preferences p;
+      p.ui_scale = ui_scale;
+      save_preferences(p, setup.folders);
+    }
+    bench = std::make_unique<Workbench>(scene, fs::path(), setup);
+  }
+  ~Stage() {
+    bench.reset();
+    fs::remove_all(folder);
+  }
+  Workbench* operator->() { return bench.get(); }
+  AppContext& context() { return bench->context(); }
+
+  void frames(int count) {
+    for (int i = 0; i < count; ++i) bench->frame(0.002);
+  }
+  /// Turns the loop until `done`, at most a minute (sanitizers, loaded machines).
+  bool until(const std::function<bool()>& done) {
+    const auto deadline = Clock::now() + std::chrono::minutes(1);
+    while (!done()) {
+      if (Clock::now() > deadline) return false;
+      bench->frame(0.005);
+    }
+    return true;
+  }
+  bool ready() {
+    return until([this] { return context().snapshot && context().status.state != RunState::loading; });
+  }
+  bool steps(long count) {
+    for (long i = 0; i < count; ++i) {
+      const long step = context().status.step;
+      bench->act(Action::step);
+      if (!until([&] { return context().status.step > step && !context().status.step_in_flight; })) return false;
+    }
+    return until([this] { return context().snapshot->report.step == context().status.step; });
+  }
+  Image picture() {
+    bench->act(Action::picture);
+    fs::path file;
+    until([&] {
+      for (const auto& entry : fs::directory_iterator(folder / "pictures")) file = entry.path();
+      return !file.empty();
+    });
+    Image image = read_image(file);
+    fs::remove(file);
+    return image;
+  }
+};
+
+Scene shipped(const std::string& name) {
+  return load_scene(asset_path("scenes") / (name + ".json"));
+}
+
+Scene small() {
+  return parse_scene(R"({"name": "Small ball", "dimension": 2, "gravity": [0, -9.81], "grid": {"spacing": 0.1},
+      "time": {"end": 1, "step": 0.005},
+      "materials": {"rubber": {"model": "neo_hookean", "density": 1000, "young": 1e5, "poisson": 0.3}},
+      "bodies": [{"name": "ball", "material": "rubber", "shape": {"type": "ball", "center": [0, 0.5], "radius": 0.4}}],
+      "boundaries": [{"shape": {"type": "half_space", "point": [0, 0], "normal": [0, 1]}, "contact": "stick"}]})",
+                     "test");
+}
+
+Vec3 particle_place(const Snapshot& s, std::size_t p) {
+  Vec3 x = Vec3::Zero();
+  for (int a = 0; a < s.dimension; ++a)
+    x[a] = s.x[p * static_cast<std::size_t>(s.dimension) + static_cast<std::size_t>(a)];
+  return x;
+}
+
+#define NEEDS_DISPLAY()                                                  \
+  if (const std::string why = test::display_or_reason(); !why.empty()) { \
+    MESSAGE("skipped: ", why);                                           \
+    return;                                                              \
+  }
+
+}  // namespace
+
+TEST_CASE("every shipped scene opens, steps, and shows its material where the snapshot says") {
+  NEEDS_DISPLAY();
+  Stage stage(small());
+  REQUIRE(stage.ready());
+  for (const auto& entry : fs::directory_iterator(asset_path("scenes"))) {
+    if (entry.path().extension() != ".json") continue;
+    CAPTURE(entry.path().string());
+    const std::uint64_t run = stage.context().status.run;
+    stage->open_scene(load_scene(entry.path()), entry.path(), false);
+    REQUIRE(stage.until([&] { return stage.context().status.run > run; }));
+    REQUIRE(stage.ready());
+    REQUIRE(stage.steps(1));
+    stage.frames(4);
+    const Snapshot& s = *stage.context().snapshot;
+    CHECK(s.dimension == stage.context().scene.dimension);
+    // Particles' pixels against the same picture without them.
+    const Image with = stage.picture();
+    stage.context().view.show_particles = false;
+    stage.frames(3);
+    const Image without = stage.picture();
+    stage.context().view.show_particles = true;
+    REQUIRE(with.width == without.width);
+    const Rect view = stage->view().place();
+    const float scale = static_cast<float>(with.width) / view.width;
+    int inside = 0, shown = 0;
+    for (std::size_t p = 0; p < s.particles; p += 1 + s.particles / 200) {
+      const auto at = stage->view().to_window(particle_place(s, p));
+      if (!at || !view.contains(at->x, at->y)) continue;
+      ++inside;
+      const int x = std::min(with.width - 1, static_cast<int>((at->x - view.x) * scale));
+      const int y = std::min(with.height - 1, static_cast<int>((at->y - view.y) * scale));
+      shown += with.color(x, y) == without.color(x, y) ? 0 : 1;
+    }
+    CHECK(inside > 20);  // fitted: the body is in view
+    CHECK(shown >= 0.9 * inside);
+  }
+}
+
+TEST_CASE("edits reach the simulation, refused ones say where, undo takes them back") {
+  NEEDS_DISPLAY();
+  Stage stage(small());
+  REQUIRE(stage.ready());
+  AppContext& context = stage.context();
+  REQUIRE(stage.steps(1));
+  const auto applied = [&] { return context.status.edit.applies_at_step < 0; };
+
+  CHECK(context.change({{"/gravity", {0, 5}}}));
+  CHECK(context.unsaved);
+  REQUIRE(stage.until(applied));
+  const double before = context.snapshot->report.balance.momentum.y();
+  REQUIRE(stage.steps(1));
+  CHECK(context.snapshot->report.balance.momentum.y() > before);  // it falls upwards now
+
+  CHECK_FALSE(context.change({{"/materials/rubber/poisson", 0.7}}));
+  REQUIRE_FALSE(context.problems.empty());
+  CHECK(context.problems[0].pointer == "/materials/rubber/poisson");
+  CHECK(context.scene.materials[0].parameters == small().materials[0].parameters);
+
+  CHECK(context.change({{"/grid/spacing", 0.05}}));
+  REQUIRE(stage.until([&] { return context.status.edit.needs_reset; }));
+  CHECK(context.snapshot->spacing == doctest::Approx(0.1));
+  stage->act(Action::reset);
+  REQUIRE(stage.until([&] { return context.snapshot->spacing < 0.06; }));
+  CHECK_FALSE(context.status.edit.needs_reset);
+
+  stage->act(Action::undo);
+  stage->act(Action::undo);
+  CHECK(context.scene == small());
+  CHECK_FALSE(stage->possible(Action::undo));
+  stage->act(Action::redo);
+  CHECK(context.scene.gravity.y() == 5);
+}
+
+TEST_CASE("a paused window that nobody touches draws nothing") {
+  NEEDS_DISPLAY();
+  Stage stage(small());
+  REQUIRE(stage.ready());
+  for (int i = 0; i < 40; ++i) stage->frame(0.02);
+  const long before = stage->frames_drawn();
+  for (int i = 0; i < 20; ++i) stage->frame(0.02);
+  CHECK(stage->frames_drawn() == before);
+}
+
+TEST_CASE("a new field is drawn although the run is paused") {
+  NEEDS_DISPLAY();
+  Stage stage(small());
+  REQUIRE(stage.ready());
+  REQUIRE(stage.steps(1));
+  stage->act(Action::field, 1);
+  const auto field = static_cast<std::size_t>(stage.context().view.field);
+  CHECK(stage.until([&] { return !stage.context().snapshot->field[field].empty(); }));
+  stage->act(Action::grid);
+  CHECK(stage.until([&] { return stage.context().snapshot->nodes > 0; }));
+}
+
+TEST_CASE("save, open, recent files and preferences survive the window") {
+  NEEDS_DISPLAY();
+  Stage stage(small());
+  REQUIRE(stage.ready());
+  AppContext& context = stage.context();
+  const fs::path file = stage.folder / "ball.json";
+  save_scene(small(), file);
+  context.open_file(file);
+  REQUIRE(stage.ready());
+  CHECK(context.scene_file == file);
+  CHECK(context.change({{"/time/end", 2.5}}));
+  CHECK(context.unsaved);
+  stage->act(Action::save);
+  CHECK_FALSE(context.unsaved);
+  CHECK(load_scene(file).time.end == 2.5);
+
+  context.view.theme = Theme::light;
+  const fs::path broken = stage.folder / "broken.json";
+  std::ofstream(broken) << R"({"dimension": 4})";
+  context.open_file(broken);
+  CHECK(context.scene_file == file);  // the old scene stays
+  CHECK_FALSE(context.problems.empty());
+  stage.frames(3);
+  const PreferenceFolders folders{stage.folder / "config", stage.folder / "state"};
+  stage.bench.reset();
+  const Preferences kept = load_preferences(folders);
+  CHECK(kept.theme == Theme::light);
+  REQUIRE_FALSE(kept.recent.empty());
+  CHECK(kept.recent[0] == file);
+}
+
+TEST_CASE("pinned curves stay while the next run is drawn") {
+  NEEDS_DISPLAY();
+  Stage stage(small());
+  REQUIRE(stage.ready());
+  REQUIRE(stage.steps(3));
+  AppContext& context = stage.context();
+  CHECK(context.current.reports.size() == 4);
+  context.pin();
+  stage->act(Action::reset);
+  REQUIRE(stage.until([&] { return context.current.reports.size() == 1; }));
+  REQUIRE(context.pinned.size() == 1);
+  CHECK(context.pinned[0].pinned);
+  CHECK(context.pinned[0].reports.size() == 4);
+}
+
+TEST_CASE("nothing is cut sideways at any scale, in both themes") {
+  NEEDS_DISPLAY();
+  for (const float scale : {1.0f, 2.0f}) {
+    Stage stage(small(), false, scale);
+    REQUIRE(stage.ready());
+    REQUIRE(stage.steps(1));
+    stage.context().selected_particle = 3;
+    for (const Theme theme : {Theme::dark, Theme::light}) {
+      stage.context().view.theme = theme;
+      stage->act(Action::grid);
+      stage.frames(12);
+      CHECK(ImGui::GetFontSize() == doctest::Approx(15 * scale).epsilon(0.05));
+      for (const ImGuiWindow* window : GImGui->Windows) {
+        if (!window->Active || window->Hidden) continue;
+        CAPTURE(std::string(window->Name));
+        CHECK(window->ScrollMax.x <= 0);
+        CHECK(window->ContentSize.x <= window->ContentRegionRect.GetWidth() + 1);
+      }
+    }
+  }
+}
+
+TEST_CASE("a frame costs the window's thread less than 16 ms while the worker is busy") {
+  NEEDS_DISPLAY();
+  Stage stage(shipped("welcome"));
+  REQUIRE(stage.ready());
+  stage.frames(10);
+  // Whether a scene is shown or switched must not depend on what a step costs: only that nothing waits is checked.
+  stage->act(Action::run_pause);
+  REQUIRE(stage.until([&] { return stage.context().status.step_in_flight; }));
+  const auto begin = Clock::now();
+  stage->act(Action::run_pause);
+  stage.frames(1);
+  CHECK(stage.context().status.state == RunState::paused);
+  CHECK(Clock::now() - begin < std::chrono::milliseconds(500));  // of a loaded machine that draws in software
+}
