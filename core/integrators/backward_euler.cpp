@@ -54,7 +54,7 @@ void update_friction(const Vector& g, FeasibleSet<D>& set, Vector& change) {
 
 template <int D>
 NewtonResult BackwardEuler<D>::advance(const StepProblem<D>& problem) {
-  FeasibleSet<D> set = problem.set;
+  FeasibleSet<D>& set = problem.set;
   const bool rubs = prepare_friction(set);
   Inertia<D> inertia(problem.mass, problem.grid.v, problem.dt);
   ExternalWork<D> external(problem.force);

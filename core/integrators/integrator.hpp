@@ -22,7 +22,7 @@ struct StepProblem {
   const MassMatrix<D>& mass;  ///< the inertia's
   ElasticEnergy<D>& elastic;
   GrabSpring<D>* grab;        ///< may be null
-  const FeasibleSet<D>& set;  ///< constraints and boundaries, displacements over dt
+  FeasibleSet<D>& set;        ///< constraints and boundaries, displacements over dt; in and out: the friction bounds
   const Vector& force;        ///< f_ext at the scheme's stage time [N]
   double dt;
   NewtonSettings newton;

@@ -21,7 +21,7 @@ struct NodeConstraint {
   Vec<D> wall = Vec<D>::Zero();      ///< displacement of the wall during the step [m]
   double friction = 0;               ///< Coulomb's coefficient
   Vec<D> rub_normal = Vec<D>::Zero();  ///< the face that it rubs against
-  double rub_bound = 0;                ///< mu f_n, frozen during a minimisation [N]; 0: no friction
+  double rub_bound = 0;                ///< mu f_n, frozen during a minimisation [N]; starts from a guess, 0 when there is none
   bool by_constraint = false;        ///< fixed by "constraints", not by a boundary
 };
 

@@ -14,6 +14,14 @@
 
 namespace pf {
 
+/// The friction of a node in the last step: where the next one's iteration begins.
+template <int D>
+struct RubbingNode {
+  std::array<long long, D> index;
+  Vec<D> normal;
+  double bound;  ///< mu f_n [N]
+};
+
 template <int D>
 class SimulationOf final : public Simulation {
  public:
@@ -59,6 +67,8 @@ class SimulationOf final : public Simulation {
   void keep_state();
   void restore_state();
   void keep_grid(const FeasibleSet<D>& set);
+  void guess_friction(FeasibleSet<D>& set) const;
+  void keep_friction(const FeasibleSet<D>& set);
   void fill_diagnostics(StepReport& report) const;
   ParticleState state_of(std::size_t p) const;
   void capture_fields(const SnapshotRequest& request, Snapshot& into) const;
@@ -80,6 +90,7 @@ class SimulationOf final : public Simulation {
   Plan<D> plan_;
   GridState<D> grid_;
   LastGrid last_grid_;
+  std::vector<RubbingNode<D>> rubbing_;  ///< of the last accepted step, by ascending index
   std::vector<Vec<D>> kept_x_, kept_v_;
   std::vector<Mat<D>> kept_F_, kept_C_;
   std::vector<std::uint32_t> probe_ids_;

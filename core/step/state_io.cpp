@@ -30,13 +30,25 @@ void get(std::istream& in, T& value) {
   if (!in.read(reinterpret_cast<char*>(&value), sizeof value)) refuse("a state that ends too early");
 }
 template <class T>
+void read_values(std::istream& in, std::vector<T>& values, std::uint64_t count) {
+  values.resize(count);
+  if (!in.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(count * sizeof(T))))
+    refuse("a state that ends too early");
+}
+template <class T>
 void get(std::istream& in, std::vector<T>& values, std::size_t expected) {
   std::uint64_t n = 0;
   get(in, n);
   if (n != expected) refuse("a state of another size");
-  values.resize(expected);
-  if (!in.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(expected * sizeof(T))))
-    refuse("a state that ends too early");
+  read_values(in, values, n);
+}
+/// Of a length that only the state knows.
+template <class T>
+void get(std::istream& in, std::vector<T>& values) {
+  std::uint64_t n = 0;
+  get(in, n);
+  if (n > 1000000000 / sizeof(T)) refuse("a state of an impossible size");
+  read_values(in, values, n);
 }
 
 }  // namespace
@@ -54,6 +66,7 @@ void SimulationOf<D>::save_state(std::ostream& out) const {
   put(out, static_cast<std::int64_t>(accepted_.linear_iterations));
   put(out, static_cast<std::int64_t>(chosen_solver_ == "direct"));
   particles_.each([&](const auto& values) { put(out, values); });
+  put(out, rubbing_);
   put(out, conditions_.displacement());
   put(out, loads_.surface().x);
   put(out, known_.surface().x);
@@ -77,11 +90,14 @@ void SimulationOf<D>::load_state(std::istream& in) {
   get(in, linear);
   get(in, direct);
   loaded.each([&](auto& values) { get(in, values, particles_.size()); });
+  std::vector<RubbingNode<D>> rubbing;
+  get(in, rubbing);
   std::vector<Vec<D>> displacement, surface, manufactured;
   get(in, displacement, conditions_.displacement().size());
   get(in, surface, loads_.surface().x.size());
   get(in, manufactured, known_.surface().x.size());
   particles_ = std::move(loaded);
+  rubbing_ = std::move(rubbing);
   conditions_.displacement() = std::move(displacement);
   loads_.surface().x = std::move(surface);
   known_.surface().x = std::move(manufactured);

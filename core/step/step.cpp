@@ -132,7 +132,8 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(double dt, const std:
   const double stage = time_ + integrator_->stage() * dt;
   grid_velocity(report);
   lap(report.ms.transfer);
-  const FeasibleSet<D> set = conditions_.at(plan_, time_, dt);
+  FeasibleSet<D> set = conditions_.at(plan_, time_, dt);
+  guess_friction(set);
   Vector force = loads_.force(plan_, particles_, grid_.mass, stage, parallel_);
   if (known_.manufactured()) known_.add_force(plan_, particles_, laws_, scene_, stage, parallel_, force);
   const MassMatrix<D> M(plan_, particles_, grid_.mass, scene_.integrator.mass == "consistent", parallel_, work_);
@@ -173,6 +174,7 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(double dt, const std:
   report.linear_iterations = solved.linear_iterations;
   report.active_nodes = plan_.node_count();
   keep_grid(set);
+  keep_friction(set);
   plan_.build(particles_, *find_basis(scene_.grid.basis), scene_.grid.spacing, parallel_);
   lap(report.ms.sort);
   fill_diagnostics(report);
@@ -216,6 +218,31 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::judge(const NewtonResult& new
                                  " cells in one step."};
   if (!plan_.can_index(particles_)) return {Attempt::failed, "Particles are too far apart for a grid to be laid."};
   return {};
+}
+
+template <int D>
+void SimulationOf<D>::guess_friction(FeasibleSet<D>& set) const {
+  if (rubbing_.empty()) return;
+  for (NodeConstraint<D>& c : set.constrained) {
+    if (!(c.friction > 0)) continue;
+    const std::array<long long, D>& index = plan_.node_index(c.node);
+    const auto last = std::lower_bound(rubbing_.begin(), rubbing_.end(), index,
+                                       [](const RubbingNode<D>& r, const auto& i) { return r.index < i; });
+    if (last == rubbing_.end() || last->index != index) continue;
+    for (int k = 0; k < c.faces; ++k)
+      if (c.normal[static_cast<std::size_t>(k)].dot(last->normal) > 0.99) {
+        c.rub_normal = c.normal[static_cast<std::size_t>(k)];
+        c.rub_bound = last->bound;
+      }
+  }
+}
+
+template <int D>
+void SimulationOf<D>::keep_friction(const FeasibleSet<D>& set) {
+  rubbing_.clear();
+  for (const NodeConstraint<D>& c : set.constrained)
+    if (c.rub_bound > 0) rubbing_.push_back({plan_.node_index(c.node), c.rub_normal, c.rub_bound});
+  std::sort(rubbing_.begin(), rubbing_.end(), [](const auto& a, const auto& b) { return a.index < b.index; });
 }
 
 template <int D>
