@@ -62,36 +62,41 @@ struct Stencil {
   template <bool Value, bool Flux>
   static inline __attribute__((always_inline)) void scatter(const Lane* value, const Lane (*flux)[D], const Lane* N,
                                                             const Lane* dN, double* out) {
-    for (int c = 0; c < C; ++c)
-      for (int k = 0; k < (D == 3 ? K : 1); ++k) {
-        Lane a{}, fx{}, fy{};
+    for (int k = 0; k < (D == 3 ? K : 1); ++k) {
+      Lane a[C], fx[C], fy[C];
+      for (int c = 0; c < C; ++c) {
         if constexpr (D == 3) {
-          if constexpr (Value) a += N[2 * K + k] * value[c];
+          a[c] = Lane{};
+          if constexpr (Value) a[c] += N[2 * K + k] * value[c];
           if constexpr (Flux) {
-            a += dN[2 * K + k] * flux[c][2];
-            fx = N[2 * K + k] * flux[c][0];
-            fy = N[2 * K + k] * flux[c][1];
+            a[c] += dN[2 * K + k] * flux[c][2];
+            fx[c] = N[2 * K + k] * flux[c][0];
+            fy[c] = N[2 * K + k] * flux[c][1];
           }
         } else {
-          if constexpr (Value) a = value[c];
+          a[c] = Value ? value[c] : Lane{};
           if constexpr (Flux) {
-            fx = flux[c][0];
-            fy = flux[c][1];
-          }
-        }
-        for (int j = 0; j < K; ++j) {
-          Lane b = N[K + j] * a, bx{};
-          if constexpr (Flux) {
-            b += dN[K + j] * fy;
-            bx = N[K + j] * fx;
-          }
-          for (int i = 0; i < K; ++i) {
-            Lane sum = N[i] * b;
-            if constexpr (Flux) sum += dN[i] * bx;
-            out[(i + edge * (j + edge * k)) * C + c] += sum_lanes(sum);
+            fx[c] = flux[c][0];
+            fy[c] = flux[c][1];
           }
         }
       }
+      for (int j = 0; j < K; ++j) {
+        Lane row[K * C];  // a row of nodes is contiguous
+        for (int c = 0; c < C; ++c) {
+          Lane b = N[K + j] * a[c], bx{};
+          if constexpr (Flux) {
+            b += dN[K + j] * fy[c];
+            bx = N[K + j] * fx[c];
+          }
+          for (int i = 0; i < K; ++i) {
+            row[i * C + c] = N[i] * b;
+            if constexpr (Flux) row[i * C + c] += dN[i] * bx;
+          }
+        }
+        add_lane_sums<K * C>(row, out + edge * (j + edge * k) * C);
+      }
+    }
   }
 };
 
