@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-
-#include "core/params/problem.hpp"
 
 namespace pf {
 
@@ -27,29 +24,6 @@ void Image::flip_rows() {
   const std::size_t row = 4 * static_cast<std::size_t>(width);
   for (int top = 0, bottom = height - 1; top < bottom; ++top, --bottom) {
     std::swap_ranges(at(0, top), at(0, top) + row, at(0, bottom));
-  }
-}
-
-void write_file(const std::filesystem::path& file, std::string_view bytes) {
-  std::filesystem::path partial = file;
-  partial += ".part";
-  {
-    std::ofstream out(partial, std::ios::binary);
-    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    out.flush();
-    if (!out) {
-      std::error_code ignored;
-      out.close();
-      std::filesystem::remove(partial, ignored);
-      throw FileError("cannot write " + file.string());
-    }
-  }
-  std::error_code error;
-  std::filesystem::rename(partial, file, error);
-  if (error) {
-    std::error_code ignored;
-    std::filesystem::remove(partial, ignored);
-    throw FileError("cannot write " + file.string() + ": " + error.message());
   }
 }
 

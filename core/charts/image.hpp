@@ -38,7 +38,4 @@ Image read_image(const std::filesystem::path& file);
 /// The text chunks of a PNG file. Throws FileError.
 ImageText read_png_text(const std::filesystem::path& file);
 
-/// Writes `bytes` under a temporary name beside `file`, then renames. Throws FileError.
-void write_file(const std::filesystem::path& file, std::string_view bytes);
-
 }  // namespace pf

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "core/charts/image.hpp"
+#include "core/files.hpp"
 #include "core/params/problem.hpp"
 
 #define STB_IMAGE_WRITE_STATIC
@@ -113,7 +114,7 @@ Bytes encode_png(const Image& image, const ImageText& text) {
 
 void write_png(const Image& image, const std::filesystem::path& file, const ImageText& text) {
   const Bytes png = encode_png(image, text);
-  write_file(file, {reinterpret_cast<const char*>(png.data()), png.size()});
+  write_atomically(file, {reinterpret_cast<const char*>(png.data()), png.size()});
 }
 
 Image read_image(const std::filesystem::path& file) {

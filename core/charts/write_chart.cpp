@@ -4,6 +4,7 @@
 #include "core/charts/draw.hpp"
 #include "core/charts/png_painter.hpp"
 #include "core/charts/svg_painter.hpp"
+#include "core/files.hpp"
 
 namespace pf {
 
@@ -21,11 +22,11 @@ void write_chart_svg(const Chart& chart, const ChartTheme& theme, int width, int
   const Point2 size{static_cast<float>(width), static_cast<float>(height)};
   SvgPainter painter(size.x, size.y);
   draw(chart, theme, {0, 0}, size, painter);
-  write_file(file, painter.document(chart.title, text));
+  write_atomically(file, painter.document(chart.title, text));
 }
 
 void write_chart_csv(const Chart& chart, const std::filesystem::path& file) {
-  write_file(file, chart_csv(chart));
+  write_atomically(file, chart_csv(chart));
 }
 
 }  // namespace pf

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "core/build_info.hpp"
 #include "core/files.hpp"
+#include "core/hash.hpp"
 #include "core/scene/scene_io.hpp"
 
 namespace pf {
@@ -18,15 +17,6 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* magic = "pushforward/checkpoint 1\n";
-
-// FNV-1a, 64 bits: finds damage, not malice.
-std::string checksum(const std::string& bytes) {
-  std::uint64_t hash = 14695981039346656037u;
-  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-  return text;
-}
 
 [[noreturn]] void refuse(const std::string& file, std::string found, std::string allowed) {
   throw InputError(file, {{"", std::move(found), std::move(allowed)}});
@@ -44,7 +34,7 @@ json to_json(const CheckpointHeader& header, const std::string& state) {
           {"next_due", header.cursor.next_due},
           {"events", header.cursor.events},
           {"bytes", state.size()},
-          {"checksum", checksum(state)}};
+          {"checksum", content_hash(state)}};
 }
 
 CheckpointHeader header_from(const json& text) {
@@ -98,7 +88,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& file) {
   try {
     checkpoint.header = header_from(text);
     checkpoint.state = bytes.substr(end + 1);
-    if (text.at("bytes") != checkpoint.state.size() || text.at("checksum") != checksum(checkpoint.state))
+    if (text.at("bytes") != checkpoint.state.size() || text.at("checksum") != content_hash(checkpoint.state))
       refuse(file.string(), damaged, another);
   } catch (const json::exception&) {
     refuse(file.string(), damaged, another);

@@ -1,9 +1,6 @@
 // Scene -> text.
-#include <unistd.h>
-
-#include <cstdint>
-#include <fstream>
-
+#include "core/files.hpp"
+#include "core/hash.hpp"
 #include "core/params/json_text.hpp"
 #include "core/scene/key_builder.hpp"
 #include "core/scene/scene_io.hpp"
@@ -115,33 +112,11 @@ std::string scene_text(const Scene& scene) {
 }
 
 void save_scene(const Scene& scene, const std::filesystem::path& file) {
-  const std::filesystem::path temporary = file.string() + ".part" + std::to_string(::getpid());
-  const std::string text = scene_text(scene);
-  std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
-  out.write(text.data(), static_cast<std::streamsize>(text.size()));
-  out.close();
-  std::error_code error;
-  if (!out) {
-    std::filesystem::remove(temporary, error);
-    throw FileError(file.string() + ": cannot be written");
-  }
-  std::filesystem::rename(temporary, file, error);
-  if (error) {
-    const std::string reason = error.message();
-    std::filesystem::remove(temporary, error);
-    throw FileError(file.string() + ": cannot be written: " + reason);
-  }
+  write_atomically(file, scene_text(scene));
 }
 
 std::string scene_hash(const Scene& scene) {
-  std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a
-  for (const char c : to_json(scene).dump(-1, ' ', false, Json::error_handler_t::replace)) {
-    hash ^= static_cast<unsigned char>(c);
-    hash *= 0x100000001b3u;
-  }
-  std::string text(16, '0');
-  for (std::size_t k = 0; k < 16; ++k) text[k] = "0123456789abcdef"[hash >> (60 - 4 * k) & 0xF];
-  return text;
+  return content_hash(to_json(scene).dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 }  // namespace pf

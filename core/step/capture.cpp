@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/diagnostics/stress.hpp"
 #include "core/step/simulation_of.hpp"
 
 namespace pf {
 
 namespace {
-
-double von_mises(const Mat3& sigma) {
-  const Mat3 s = sigma - sigma.trace() / 3 * Mat3::Identity();
-  return std::sqrt(1.5) * s.norm();
-}
 
 template <int D>
 Vec3 in_space(const Vec<D>& x) {
@@ -93,7 +89,7 @@ void SimulationOf<D>::capture_fields(const SnapshotRequest& request, Snapshot& i
     if (stress) {
       const Mat3 sigma = laws_[particles_.material[p]]->cauchy(particles_.F[p]);
       if (wanted(Field::von_mises)) values(Field::von_mises)[p] = static_cast<float>(von_mises(sigma));
-      if (wanted(Field::pressure)) values(Field::pressure)[p] = static_cast<float>(-sigma.trace() / 3);
+      if (wanted(Field::pressure)) values(Field::pressure)[p] = static_cast<float>(pressure(sigma));
     }
     if (wanted(Field::energy_density)) values(Field::energy_density)[p] = static_cast<float>(psi[p]);
     if (wanted(Field::material)) values(Field::material)[p] = static_cast<float>(particles_.material[p]);
@@ -183,11 +179,11 @@ std::vector<ProbeReading> SimulationOf<D>::probes() const {
   return readings;
 }
 
-#define PF_INSTANTIATE(D)                                                               \
-  template void SimulationOf<D>::keep_grid(const FeasibleSet<D>&);                      \
-  template void SimulationOf<D>::capture(const SnapshotRequest&, Snapshot&) const;      \
-  template std::vector<ProbeReading> SimulationOf<D>::probes() const;                   \
-  template std::vector<ParticleState> SimulationOf<D>::particles() const;               \
+#define PF_INSTANTIATE(D)                                                          \
+  template void SimulationOf<D>::keep_grid(const FeasibleSet<D>&);                 \
+  template void SimulationOf<D>::capture(const SnapshotRequest&, Snapshot&) const; \
+  template std::vector<ProbeReading> SimulationOf<D>::probes() const;              \
+  template std::vector<ParticleState> SimulationOf<D>::particles() const;          \
   template ParticleState SimulationOf<D>::particle(std::uint32_t) const;
 PF_INSTANTIATE(2)
 PF_INSTANTIATE(3)

@@ -42,8 +42,8 @@ const std::map<std::string, Folders> core_rule{
     {"lab", {"", "params", "math", "materials", "scene", "diagnostics", "charts", "output"}},
 };
 // Plain types at the top of core that every folder may include.
-const Folders plain_headers{"core/types.hpp",    "core/step_report.hpp", "core/build_info.hpp",
-                            "core/snapshot.hpp", "core/files.hpp",       "core/assets.hpp"};
+const Folders plain_headers{"core/types.hpp", "core/step_report.hpp", "core/build_info.hpp", "core/snapshot.hpp",
+                            "core/files.hpp", "core/hash.hpp",        "core/assets.hpp"};
 
 std::vector<fs::path> sources(const std::string& folder) {
   std::vector<fs::path> files;

@@ -1,4 +1,5 @@
 #include "core/charts/image.hpp"
+#include "core/files.hpp"
 
 #include <doctest/doctest.h>
 
@@ -66,7 +67,7 @@ TEST_CASE("files that cannot be read or written are FileErrors, and leave nothin
   CHECK_THROWS_AS(pf::write_png(image, "/no/such/folder/picture.png"), pf::FileError);
   CHECK_THROWS_AS(pf::read_image("/no/such/picture.png"), pf::FileError);
   const TemporaryFile file("pushforward-not-a-picture.png");
-  pf::write_file(file.path, "this is text, not a picture");
+  pf::write_atomically(file.path, "this is text, not a picture");
   CHECK_THROWS_AS(pf::read_image(file.path), pf::FileError);
   const fs::path folder = fs::temp_directory_path() / "pushforward-image-test-folder.png";
   fs::create_directory(folder);
