@@ -62,13 +62,14 @@ double estimated_particles(const Scene& scene, std::size_t index) {
   double within_bounds = 1;
   for (int a = 0; a < scene.dimension; ++a)
     within_bounds *= std::floor((bounds.max[a] - bounds.min[a]) / lattice.spacing()) + 1;
-  if (!has_cheap_measure(body.shape)) return within_bounds;
-  // Lattice points a body of that measure holds, and the same again for a layer at its surface, which is at most
-  // that of its bounds times a small factor unless the shape is jagged.
+  // Without a bound on distances all points within the bounds are looked at; and few are not worth a closer look.
+  if (!solid->distance_is_bound() || within_bounds < 1e5) return within_bounds;
+  // What a body of that measure holds, and a layer at its surface: a few times that of its bounds, unless it is jagged.
   double layer = 0;
   for (int a = 0; a < scene.dimension; ++a)
     layer += 2 * within_bounds / (std::floor((bounds.max[a] - bounds.min[a]) / lattice.spacing()) + 1);
-  return std::min(within_bounds, solid->measure(lattice.spacing()) / lattice.cell_measure() + 2 * layer);
+  const double measure = solid->measure((bounds.max - bounds.min).maxCoeff());  // coarse: 1e-4 will do
+  return std::min(within_bounds, measure / lattice.cell_measure() + 2 * layer);
 }
 
 }  // namespace pf

@@ -107,8 +107,4 @@ std::vector<Vec3> jittered_points(const Solid& solid, const ParticleLattice& lat
   return in_order(std::move(found));
 }
 
-bool has_cheap_measure(const Shape& shape) {
-  return shape.type == "box" || shape.type == "ball" || shape.type == "cylinder" || shape.type == "polygon";
-}
-
 }  // namespace pf

@@ -45,7 +45,4 @@ std::vector<Vec3> jittered_points(const Solid& solid, const ParticleLattice& lat
 /// room for many more.
 std::vector<Vec3> poisson_disc_points(const Solid& solid, const ParticleLattice& lattice, std::uint64_t seed);
 
-/// measure() of this shape is a formula: no booleans, no expression.
-bool has_cheap_measure(const Shape& shape);
-
 }  // namespace pf

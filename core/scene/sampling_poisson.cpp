@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scene/sampling_cells.hpp"
 #include "core/scene/sampling_lattice.hpp"
 #include "core/scene/sampling_random.hpp"
 
 namespace pf {
 namespace {
 
-using Index = ParticleLattice::Index;
+using Index = CellOwners::Index;
 
 constexpr int tries = 24;  ///< around each point before it counts as surrounded
 /// Least distance over lattice spacing at which space is filled as densely as by the lattice (measured).
@@ -18,58 +19,12 @@ double distance_factor(int dimension) {
   return dimension == 2 ? 0.78 : 0.84;
 }
 
-/// Which point a cell holds: a hash table with open addressing, for nearly all the time is spent looking here.
-class Owners {
- public:
-  Owners() : slots_(1024) {}
-  /// The number of the cell's point, or -1.
-  std::int64_t find(const Index& cell) const {
-    for (std::size_t at = start(cell);; at = next(at)) {
-      if (slots_[at].point < 0) return -1;
-      if (same(slots_[at].cell, cell)) return slots_[at].point;
-    }
-  }
-  /// `cell` has no point yet.
-  void add(const Index& cell, std::int64_t point) {
-    if (2 * static_cast<std::size_t>(point) > slots_.size()) grow();
-    std::size_t at = start(cell);
-    while (slots_[at].point >= 0) at = next(at);
-    slots_[at] = {cell, point};
-  }
-
- private:
-  struct Slot {
-    Index cell{};
-    std::int64_t point = -1;
-  };
-  // Three multiplications are enough to spread neighbours.
-  std::size_t start(const Index& k) const {
-    const auto u = [&](int a) { return static_cast<std::uint64_t>(k[static_cast<std::size_t>(a)]); };
-    const std::uint64_t h = u(0) * 0x9e3779b97f4a7c15u + u(1) * 0xc2b2ae3d27d4eb4fu + u(2) * 0x165667b19e3779f9u;
-    return static_cast<std::size_t>((h ^ (h >> 32)) & (slots_.size() - 1));
-  }
-  static bool same(const Index& a, const Index& b) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
-  std::size_t next(std::size_t at) const { return (at + 1) & (slots_.size() - 1); }
-  void grow() {
-    std::vector<Slot> old(2 * slots_.size());
-    old.swap(slots_);
-    for (const Slot& slot : old) {
-      if (slot.point < 0) continue;
-      std::size_t at = start(slot.cell);
-      while (slots_[at].point >= 0) at = next(at);
-      slots_[at] = slot;
-    }
-  }
-
-  std::vector<Slot> slots_;
-};
-
 /// Offsets to the cells that may hold a point too near, the nearest first: most darts fail, and there they fail soon.
 std::vector<Index> neighbours(int dimension) {
   const auto square = [](const Index& k) { return k[0] * k[0] + k[1] * k[1] + k[2] * k[2]; };
   const auto gap = [](std::int64_t i) { return std::max<std::int64_t>(0, std::abs(i) - 1); };
   std::vector<Index> list;
-  const std::int64_t reach = 2, reach_z = dimension == 3 ? reach : 0;  // of the distance, in cells: ceil(sqrt(D))
+  const std::int64_t reach = CellOwners::window, reach_z = dimension == 3 ? reach : 0;  // ceil(sqrt(D)) cells
   Index k{};
   for (k[2] = -reach_z; k[2] <= reach_z; ++k[2])
     for (k[1] = -reach; k[1] <= reach; ++k[1])
@@ -92,7 +47,6 @@ class Darts {
 
   std::vector<Vec3> throw_all() {
     for (const Index& cell : cells()) {
-      if (owners_.find(cell) >= 0) continue;
       Vec3 p = Vec3::Zero();
       for (int a = 0; a < D_; ++a) p[a] = (static_cast<double>(cell[a]) + draw()) * size_;
       if (add(p)) grow();
@@ -137,15 +91,14 @@ class Darts {
 
   double draw() { return uniform(mix(seed_ + drawn_++)); }
 
-  /// Surrounds the newest point and all that come of it.
+  /// Surrounds the newest point and all that come of it, the newest first: what it looks at stays near.
   void grow() {
     std::vector<std::size_t> open = {points_.size() - 1};
     while (!open.empty()) {
-      const auto at = static_cast<std::size_t>(draw() * static_cast<double>(open.size()));
+      const Vec3 center = points_[open.back()];
       bool surrounded = true;
-      for (int i = 0; surrounded && i < tries; ++i) surrounded = !add(points_[open[at]] + step());
+      for (int i = 0; surrounded && i < tries; ++i) surrounded = !add(center + step());
       if (surrounded) {
-        open[at] = open.back();
         open.pop_back();
       } else {
         open.push_back(points_.size() - 1);
@@ -168,15 +121,22 @@ class Darts {
     Index cell{};
     for (int a = 0; a < D_; ++a) cell[a] = static_cast<std::int64_t>(std::floor(p[a] / size_));
     if (!is_free(p, cell) || !solid_.contains(p, tolerance_)) return false;
-    owners_.add(cell, static_cast<std::int64_t>(points_.size()));
+    owners_.add(cell, static_cast<std::int32_t>(points_.size()));
     points_.push_back(p);
     return true;
   }
 
   bool is_free(const Vec3& p, const Index& cell) const {
+    const auto blocks = owners_.around(cell, D_);
+    const Index first = CellOwners::block_of(
+        {cell[0] - CellOwners::window, cell[1] - CellOwners::window, D_ == 3 ? cell[2] - CellOwners::window : 0});
     for (const Index& offset : neighbours_) {
-      const auto found = owners_.find({cell[0] + offset[0], cell[1] + offset[1], cell[2] + offset[2]});
-      if (found >= 0 && (points_[static_cast<std::size_t>(found)] - p).squaredNorm() < distance_ * distance_)
+      const Index k = {cell[0] + offset[0], cell[1] + offset[1], cell[2] + offset[2]};
+      const Index b = CellOwners::block_of(k);
+      const CellOwners::Block* block =
+          blocks[static_cast<std::size_t>((b[0] - first[0]) + 2 * (b[1] - first[1]) + 4 * (b[2] - first[2]))];
+      const std::int32_t owner = block ? (*block)[CellOwners::place(k)] : -1;
+      if (owner >= 0 && (points_[static_cast<std::size_t>(owner)] - p).squaredNorm() < distance_ * distance_)
         return false;
     }
     return true;
@@ -188,7 +148,7 @@ class Darts {
   std::uint64_t seed_, drawn_ = 0;
   std::vector<Index> neighbours_;
   std::vector<Vec3> points_;
-  Owners owners_;
+  CellOwners owners_;
 };
 
 }  // namespace

@@ -103,10 +103,15 @@ void complete_basis(const Vec3& n, Vec3& u, Vec3& v) {
   v = n.cross(u);
 }
 
-void add_normal(const Vec3& n, std::vector<Vec3>& normals) {
-  for (const Vec3& other : normals)
-    if (other.dot(n) > 1 - 1e-12) return;
-  normals.push_back(n);
+void drop_repeated(std::vector<Vec3>& normals, std::size_t first) {
+  std::size_t kept = first;
+  for (std::size_t i = first; i < normals.size(); ++i) {
+    const auto same = [&](const Vec3& n) { return n.dot(normals[i]) > 1 - 1e-12; };
+    const auto begin = normals.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto end = normals.begin() + static_cast<std::ptrdiff_t>(kept);
+    if (std::none_of(begin, end, same)) normals[kept++] = normals[i];
+  }
+  normals.resize(kept);
 }
 
 }  // namespace pf

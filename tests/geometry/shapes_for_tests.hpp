@@ -96,6 +96,8 @@ inline std::vector<Case> cases() {
       {"box less ball", 2, boolean("difference", {unit, ball({0, 0, 0}, 0.5)}), 1 - pi / 16, 3 + pi / 4, 1e-5, 1e-2});
   list.push_back({"box less ball", 3, boolean("difference", {unit, ball({0, 0, 0}, 0.5)}), 1 - pi / 48,
                   6 - 3 * pi / 16 + pi / 8, 1e-4, 1e-2});
+  list.push_back({"shell", 3, boolean("difference", {ball({0, 0, 0}, 1), ball({0, 0, 0}, 0.97)}),
+                  4 * pi / 3 * (1 - 0.97 * 0.97 * 0.97), 4 * pi * (1 + 0.97 * 0.97), 2e-3, 1e-9});
   list.push_back({"neighbours", 2, boolean("union", {unit, box({1, 0, 0}, {2, 1, 0})}), 2, 6, 1e-6, 1e-9});
   list.push_back({"box and half space", 2, boolean("intersection", {unit, half_space({0.5, 0.5, 0}, {1, 1, 0})}), 0.5,
                   2 + std::sqrt(2.0), 1e-5, 2e-2});

@@ -154,4 +154,8 @@ TEST_CASE("the number of particles is foreseen without making them") {
   const double n = estimated_particles(scene_of(ball({0, 0, 0}, 1), 3, 0.02), 0);
   CHECK(n > 4.18e6);
   CHECK(n < 5e6);
+  const Shape shell = boolean("difference", {ball({0, 0, 0}, 1), ball({0, 0, 0}, 0.99)});
+  const double m = estimated_particles(scene_of(shell, 3, 0.002), 0);  // of 8e9 lattice points within its bounds
+  CHECK(m > 1.24e8);
+  CHECK(m < 2.5e8);
 }

@@ -18,7 +18,8 @@ class Boolean : public ShapeSolid {
     if (!is_finite(b)) return std::numeric_limits<double>::infinity();
     // Members that only touch have distance 0 between them; the set is closed, so that counts as inside.
     const double closed = 1e-12 * (b.max - b.min).maxCoeff();
-    const LevelSet set{[&](const Vec3& p) { return distance(p) - closed; }, distance_is_bound(), b, dimension()};
+    const LevelSet set{[&](const Vec3& p) { return distance(p) - closed; }, nullptr, distance_is_bound(), b,
+                       dimension()};
     const double wanted = (b.max - b.min).maxCoeff() / h;
     const bool flat_domain = dimension() == 2;
     // A tree is refined only along the surface, so that it can afford more.
@@ -67,9 +68,9 @@ class Union final : public Boolean {
       nearest(p).contact_normals(p, true, tolerance, normals);
       return;
     }
-    std::vector<Vec3> own;
-    for (const SolidPointer& m : members()) m->contact_normals(p, false, tolerance, own);
-    for (const Vec3& n : own) add_normal(n, normals);
+    const std::size_t first = normals.size();
+    for (const SolidPointer& m : members()) m->contact_normals(p, false, tolerance, normals);
+    drop_repeated(normals, first);
   }
 
   Bounds bounds() const override {
@@ -112,9 +113,9 @@ class Intersection final : public Boolean {
       if (contains(p, tolerance)) farthest(p).contact_normals(p, false, tolerance, normals);
       return;
     }
-    std::vector<Vec3> own;
-    for (const SolidPointer& m : members()) m->contact_normals(p, true, tolerance, own);
-    for (const Vec3& n : own) add_normal(n, normals);
+    const std::size_t first = normals.size();
+    for (const SolidPointer& m : members()) m->contact_normals(p, true, tolerance, normals);
+    drop_repeated(normals, first);
   }
 
   Bounds bounds() const override {
@@ -169,9 +170,9 @@ class Difference final : public Boolean {
       if (contains(p, tolerance)) members()[i]->contact_normals(p, i > 0, tolerance, normals);
       return;
     }
-    std::vector<Vec3> own;
-    for (std::size_t i = 0; i < members().size(); ++i) members()[i]->contact_normals(p, i == 0, tolerance, own);
-    for (const Vec3& n : own) add_normal(n, normals);
+    const std::size_t first = normals.size();
+    for (std::size_t i = 0; i < members().size(); ++i) members()[i]->contact_normals(p, i == 0, tolerance, normals);
+    drop_repeated(normals, first);
   }
 
   Bounds bounds() const override { return members()[0]->bounds(); }

@@ -42,12 +42,14 @@ class Polygon final : public ShapeSolid {
       return;
     }
     if (!(d >= -tolerance)) return;
+    const std::size_t first = normals.size();
     for (std::size_t i = 0; i < points_.size(); ++i) {
       // Beyond an edge: beyond its line where the container is convex; else only at the part that is nearest.
       const double beyond = (flat(p) - points_[i]).dot(edge_normal(i));
       const bool near = convex_ || (flat(p) - closest(i, flat(p))).norm() <= r + tolerance;
-      if (near && beyond >= -tolerance) add_normal(-edge_normal(i), normals);
+      if (near && beyond >= -tolerance) normals.push_back(-edge_normal(i));
     }
+    drop_repeated(normals, first);
   }
 
   Bounds bounds() const override {

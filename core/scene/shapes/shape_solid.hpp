@@ -59,7 +59,7 @@ inline bool is_finite(const Bounds& b) {
 }
 /// Two vectors at right angles to the unit vector `n` and each other.
 void complete_basis(const Vec3& n, Vec3& u, Vec3& v);
-/// Appends `n` unless it is there already.
-void add_normal(const Vec3& n, std::vector<Vec3>& normals);
+/// Of equal normals from number `first` on keeps the first.
+void drop_repeated(std::vector<Vec3>& normals, std::size_t first);
 
 }  // namespace pf

@@ -38,15 +38,17 @@ class Where final : public ShapeSolid {
       }
       return;
     }
+    const std::size_t first = normals.size();
     box_->contact_normals(p, true, tolerance, normals);
-    if (level.distance >= -tolerance) add_normal(-level.normal, normals);
+    if (level.distance >= -tolerance) normals.push_back(-level.normal);
+    drop_repeated(normals, first);
   }
 
   Bounds bounds() const override { return box_->bounds(); }
 
   double measure(double) const override {
     // Two resolutions: extrapolation removes the leading error of flat pieces on a curved surface.
-    const int cells = dimension() == 2 ? 512 : 64;
+    const int cells = dimension() == 2 ? 512 : 96;
     const double fine = inside_measure(level_set(), cells), coarse = inside_measure(level_set(), cells / 2);
     return std::max(0.0, fine + (fine - coarse) / 3);
   }
@@ -72,13 +74,16 @@ class Where final : public ShapeSolid {
     return expression_(std::span<const double>(v));
   }
   LevelSet level_set() const {
-    return {[this](const Vec3& p) { return value(p) > 0 ? -value(p) : outside_value(p); }, false, bounds(),
-            dimension()};
+    return {[this](const Vec3& p) { return -value(p); },
+            [this](const Vec3& first, const Vec3& step, std::span<double> values) { row(first, step, values); }, false,
+            bounds(), dimension()};
   }
-  /// NaN is outside.
-  double outside_value(const Vec3& p) const {
-    const double f = value(p);
-    return f <= 0 ? -f : std::numeric_limits<double>::infinity();
+  void row(const Vec3& first, const Vec3& step, std::span<double> values) const {
+    std::vector<double> X(values.size());
+    for (std::size_t i = 0; i < X.size(); ++i) X[i] = first.x() + static_cast<double>(i) * step.x();
+    const std::span<const double> Y(&first.y(), 1), Z(&first.z(), 1);
+    expression_.evaluate({X, Y, Z, {}, {}, {}, {}}, values);
+    for (double& v : values) v = -v;
   }
 
   Level level_at(const Vec3& p) const {
