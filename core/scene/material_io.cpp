@@ -23,7 +23,7 @@ Setting setting_of(const LawParameter& parameter) {
   setting.min = parameter.min;
   setting.max = std::min(parameter.max, largest_parameter);
   setting.open_min = parameter.open_min;
-  setting.open_max = parameter.open_max;
+  setting.open_max = parameter.open_max && setting.max == parameter.max;
   setting.help = parameter.help;
   setting.required = true;
   // A narrow range is spanned, a wide one by two decades on either side of what is typical.

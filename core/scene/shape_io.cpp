@@ -9,9 +9,9 @@
 namespace pf {
 namespace {
 
-constexpr double farthest = 1e9;  // [m]
-constexpr std::size_t most_points = 10'000, most_members = 1'000;
-constexpr int deepest = 16;  // booleans inside one another
+constexpr double farthest = 1e9;                                   // [m]
+constexpr std::size_t most_points = 10'000, most_members = 1'000;  // of one shape, booleans inside it included
+constexpr int deepest = 16;                                        // booleans inside one another
 
 /// The keys that each type must have, besides "type".
 struct ShapeKeys {
@@ -157,6 +157,12 @@ void read_members(Reader& reader, const Json& json, ShapeUse use, Shape& shape, 
   }
 }
 
+std::size_t count_members(const Shape& shape) {
+  std::size_t count = shape.of.size();
+  for (const Shape& member : shape.of) count += count_members(member);
+  return count;
+}
+
 /// Reads "type"; nullptr after a problem.
 const ShapeKeys* read_type(Reader& reader, const Json& json, Shape& shape) {
   const Reader::Step step(reader, "type");
@@ -220,7 +226,11 @@ Json schema_of_key(const Key& key) {
 const Table& shape_table() {
   static const Table table = [] {
     TableOf<Shape> t("Shape");
-    t.choice(&Shape::type, "type", "Type").choices(shape_choices()).required().reset().help("What kind of shape it is.");
+    t.choice(&Shape::type, "type", "Type")
+        .choices(shape_choices())
+        .required()
+        .reset()
+        .help("What kind of shape it is.");
     add_geometry(t);
     Key& of = t.own(Nesting::list, shape_table, "of", "Members");
     of.setting.help = "Of union, difference and intersection: the shapes that they are made of.";
@@ -256,6 +266,7 @@ const Table& shape_table() {
 
 void read_shape(Reader& reader, const Json& json, ShapeUse use, Shape& shape) {
   read_at(reader, json, use, shape, 0);
+  check_count(reader, count_members(shape), most_members, "shapes inside one another");
 }
 
 Json write_shape(const Shape& shape, const WriteStyle& style) {

@@ -140,6 +140,10 @@ TEST_CASE("booleans inside booleans end somewhere") {
   const std::vector<Problem> problems = problems_in(scene);
   REQUIRE(problems.size() == 1);
   CHECK(problems[0].allowed.find("16 deep") != std::string::npos);
+  Json many = Json::array();
+  for (int k = 0; k < 600; ++k) many.push_back(box({0, 0}, {1, 1}));
+  const Json half = {{"type", "union"}, {"of", many}};
+  check_refused("/bodies/0/shape", {{"type", "union"}, {"of", {half, half}}}, "/bodies/0/shape", small_scene());
 }
 
 TEST_CASE("events are tried on the scene in the order of their times") {
