@@ -18,10 +18,10 @@ void draw_energy_plot(AppContext& context) {
     bool* on;
     std::size_t color;
   };
-  const Line lines[] = {{"Total", &Curves::total, &m.total, 0},
-                        {"Kinetic", &Curves::kinetic, &m.kinetic, 1},
-                        {"Elastic", &Curves::elastic, &m.elastic, 2},
-                        {"Potential", &Curves::potential, &m.potential, 3}};
+  std::vector<Line> lines{{"Total", &Curves::total, &m.total, 0},
+                          {"Kinetic", &Curves::kinetic, &m.kinetic, 1},
+                          {"Elastic", &Curves::elastic, &m.elastic, 2}};
+  if (!context.scene.gravity.isZero(0)) lines.push_back({"Potential", &Curves::potential, &m.potential, 3});
   if (begin_run_list()) {
     for (const Line& line : lines)
       legend_entry(context, line.color, line.name, newest(m.current.*line.values, "J"), line.on);

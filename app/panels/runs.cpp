@@ -93,7 +93,7 @@ std::vector<std::string> distinguishing_labels(std::span<const nlohmann::ordered
       labels[s] += (labels[s].empty() ? "" : ", ") + difference_text(pointer, flat[s][pointer]);
     }
     if (left_out > 0) labels[s] += " and " + std::to_string(left_out) + " more";
-    if (labels[s].empty()) labels[s] = "Same settings";
+    if (labels[s].empty()) labels[s] = "same settings";
   }
   return labels;
 }

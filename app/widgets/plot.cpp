@@ -116,6 +116,7 @@ void plot(AppContext& context, const char* stem, Chart chart, PlotView& view) {
   ImGuiPainter painter(*ImGui::GetWindowDrawList());
   ImGui::SetItemUsingMouseWheel();  // the panel does not scroll instead
   const ChartLayout layout = draw(chart, theme, low, high, painter);
+  chart.y.title = whole.y.title;  // for the note under the mouse
   if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
     const Point2 mouse{ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y};
     if (const auto hit = hit_test(chart, layout, mouse, em(1.5F))) draw_hover(chart, theme, layout, *hit, painter);

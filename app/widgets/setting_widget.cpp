@@ -142,11 +142,17 @@ bool draw_flag(Widget& w) {
   return restore_menu(w) || changed;
 }
 
+/// What an edit starts from: all digits of a number, so that none is lost.
+std::string field_text(const ordered_json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  return value.is_number() ? plain_number(value.get<double>()) : value.dump();
+}
+
 /// One text field for a text, a number or a formula; `at` is the pointer of the component.
 bool text_field(Widget& w, const std::string& at, const ordered_json& value, float width) {
   Typing& typing = w.m.typing;
   const bool mine = typing.key == at;
-  std::string text = mine ? typing.text : value.is_string() ? value.get<std::string>() : value_text(value, w.setting);
+  std::string text = mine ? typing.text : field_text(value);
   ImGui::SetNextItemWidth(width);
   ImGui::InputText("##text", &text, ImGuiInputTextFlags_AutoSelectAll);
   if (ImGui::IsItemActive()) {

@@ -23,7 +23,7 @@ TEST_CASE("runs are told apart by the settings in which they differ") {
   CHECK(labels[1].find("PIC") != std::string::npos);
   CHECK(labels[1].find("5 ms") != std::string::npos);
   CHECK(labels[1].find("density") == std::string::npos);
-  CHECK(distinguishing_labels(same)[0] == "Same settings");
+  CHECK(distinguishing_labels(same)[0] == "same settings");
 }
 
 TEST_CASE("angular momentum lost is summed by cause from the start of the run") {
