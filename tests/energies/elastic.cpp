@@ -1,0 +1,162 @@
+// The elastic energy on the grid, for every law and basis.
+#include <Eigen/Geometry>
+
+#include "tests/energies/terms.hpp"
+
+using namespace pf;
+using test::Grid;
+
+namespace {
+
+constexpr double dx = 0.1;
+
+/// Every law and basis in both dimensions.
+template <class F>
+void for_all(F&& f) {
+  for (const LawInfo& law : laws())
+    for (const BasisInfo& basis : bases()) {
+      CAPTURE(law.name);
+      CAPTURE(basis.name);
+      f(std::integral_constant<int, 2>{}, law, basis);
+      f(std::integral_constant<int, 3>{}, law, basis);
+    }
+}
+
+/// Displacements that leave every J_p > 0 and strain the particles by some tenths.
+template <int D>
+Vector strained(const Grid<D>& grid, unsigned seed) {
+  return test::Random(seed).values(grid.unknowns(), 0.05 * dx);
+}
+
+/// u_i = (A - I) x_i + b.
+template <int D>
+Vector affine(const Grid<D>& grid, const Mat<D>& A, const Vec<D>& b) {
+  Vector u(grid.unknowns());
+  for (int i = 0; i < grid.plan.node_count(); ++i)
+    u.segment<D>(i * D) = (A - Mat<D>::Identity()) * grid.plan.node_position(i) + b;
+  return u;
+}
+
+template <int D>
+Grid<D>& with_law(Grid<D>& grid, const LawInfo& law) {
+  grid.use_law(law);
+  return grid;
+}
+
+}  // namespace
+
+TEST_CASE("elastic energy: gradient and Hessian are derivatives of the value") {
+  for_all([](auto d, const LawInfo& law, const BasisInfo& basis) {
+    constexpr int D = d;
+    Grid<D> grid(test::scattered<D>(40, dx, 0.25, 41), basis.name, dx);
+    with_law(grid, law);
+    ElasticEnergy<D> energy(grid.plan, grid.particles, grid.laws, grid.parallel, grid.work);
+    test::check_derivatives<D>(energy, strained(grid, 2), 1e-3 * dx);
+  });
+}
+
+TEST_CASE("elastic energy: product, assembled matrix and diagonal are one Hessian, projected or not") {
+  for_all([](auto d, const LawInfo& law, const BasisInfo& basis) {
+    constexpr int D = d;
+    Grid<D> grid(test::scattered<D>(30, dx, D == 2 ? 0.25 : 0.15, 43), basis.name, dx);
+    with_law(grid, law);
+    ElasticEnergy<D> energy(grid.plan, grid.particles, grid.laws, grid.parallel, grid.work);
+    const Vector u = strained(grid, 3);
+    test::check_forms<D>(energy, grid, u, false);
+    test::check_forms<D>(energy, grid, u, true);
+  });
+}
+
+TEST_CASE("elastic energy: a body of several materials is the sum of its parts") {
+  const std::span<const LawInfo> all = laws();
+  const int count = static_cast<int>(all.size());
+  Grid<2> grid(test::scattered<2>(300, dx, 0.6, 47, count), "quadratic", dx);
+  for (const LawInfo& law : all) grid.use_law(law);
+  ElasticEnergy<2> energy(grid.plan, grid.particles, grid.laws, grid.parallel, grid.work);
+  const Vector u = strained(grid, 5);
+  const double E = energy.value(u);
+  double sum = 0;
+  for (std::size_t p = 0; p < grid.particles.size(); ++p)
+    sum += grid.particles.volume0[p] * test::energy<2>(*grid.laws[grid.particles.material[p]], energy.F()[p]);
+  CHECK(E == doctest::Approx(sum).epsilon(1e-13));
+  test::check_derivatives<2>(energy, u, 1e-3 * dx);
+}
+
+TEST_CASE("patch test: an affine motion of the nodes gives every particle the exact F") {
+  for_all([](auto d, const LawInfo& law, const BasisInfo& basis) {
+    constexpr int D = d;
+    Grid<D> grid(test::scattered<D>(200, dx, 0.7, 53), basis.name, dx);
+    with_law(grid, law);
+    ElasticEnergy<D> energy(grid.plan, grid.particles, grid.laws, grid.parallel, grid.work);
+    const Mat<D> A = Mat<D>::Identity() + test::Random(7).matrix<D>(0.3);
+    energy.value(affine<D>(grid, A, Vec<D>::Constant(0.4)));
+    double worst = 0;
+    for (std::size_t p = 0; p < grid.particles.size(); ++p)
+      worst = std::max(worst, (energy.F()[p] - A * grid.particles.F[p]).norm());
+    CHECK(worst < 1e-13);
+  });
+}
+
+TEST_CASE("the energy's gradient sums to no force, and for objective laws to no torque") {
+  for_all([](auto d, const LawInfo& law, const BasisInfo& basis) {
+    constexpr int D = d;
+    Grid<D> grid(test::scattered<D>(100, dx, 0.4, 59), basis.name, dx);
+    with_law(grid, law);
+    ElasticEnergy<D> energy(grid.plan, grid.particles, grid.laws, grid.parallel, grid.work);
+    const Vector u = strained(grid, 11), g = test::gradient_of<D>(energy, u);
+    Vec<D> force = Vec<D>::Zero();
+    double torque = 0;
+    for (int i = 0; i < grid.plan.node_count(); ++i) {
+      const Vec<D> x = grid.plan.node_position(i) + u.segment<D>(i * D), f = g.segment<D>(i * D);
+      force += f;
+      torque += x[0] * f[1] - x[1] * f[0];
+    }
+    CHECK(force.norm() < 1e-12 * g.template lpNorm<1>());
+    if (law.objective) CHECK(std::abs(torque) < 1e-12 * g.template lpNorm<1>());
+  });
+}
+
+TEST_CASE("a rigid rotation stores no energy under an objective law, and some under linear elasticity") {
+  for_all([](auto d, const LawInfo& law, const BasisInfo& basis) {
+    constexpr int D = d;
+    Particles<D> particles = test::scattered<D>(100, dx, 0.4, 61);
+    for (Mat<D>& F : particles.F) F.setIdentity();
+    Grid<D> grid(std::move(particles), basis.name, dx);
+    with_law(grid, law);
+    ElasticEnergy<D> energy(grid.plan, grid.particles, grid.laws, grid.parallel, grid.work);
+    const double turned = energy.value(affine<D>(grid, test::rotation<D>(0.8), Vec<D>::Constant(-0.1)));
+    const double stretched = energy.value(affine<D>(grid, 1.1 * Mat<D>::Identity(), Vec<D>::Zero()));
+    CHECK(stretched > 0);
+    CHECK((std::abs(turned) < 1e-12 * stretched) == law.objective);
+  });
+}
+
+TEST_CASE("the sizes that Newton's tolerance is measured with are s_i of the theory") {
+  const LawInfo& law = *find_law("neo_hookean");
+  for (const BasisInfo& basis : bases()) {
+    Grid<2> grid(test::scattered<2>(50, dx, 0.3, 67), basis.name, dx);
+    grid.use_law(law);
+    ElasticEnergy<2> energy(grid.plan, grid.particles, grid.laws, grid.parallel, grid.work);
+    const Vector u = strained(grid, 13);
+    Vector g = Vector::Zero(u.size()), magnitude = Vector::Zero(grid.plan.node_count());
+    energy.gradient(u, g, magnitude);
+    Vector expected = Vector::Zero(grid.plan.node_count());
+    for (std::size_t p = 0; p < grid.particles.size(); ++p) {
+      const Mat<2> T = grid.particles.volume0[p] * test::evaluate<2>(*grid.laws[0], energy.F()[p]).P *
+                       grid.particles.F[p].transpose();
+      for (int i = 0; i < grid.plan.node_count(); ++i) {
+        Vec<2> grad;
+        const Vec<2> s = grid.particles.x[p] / dx;
+        long long base[2];
+        double N[2][max_nodes_per_axis] = {}, dN[2][max_nodes_per_axis] = {};
+        for (int a = 0; a < 2; ++a) basis.weights(s[a], base[a], N[a], dN[a]);
+        const auto& index = grid.plan.node_index(i);
+        const long long r[2] = {index[0] - base[0], index[1] - base[1]};
+        if (std::min(r[0], r[1]) < 0 || std::max(r[0], r[1]) >= basis.nodes_per_axis) continue;
+        grad = {dN[0][r[0]] * N[1][r[1]] / dx, N[0][r[0]] * dN[1][r[1]] / dx};
+        expected[i] += (T * grad).norm();
+      }
+    }
+    CHECK((magnitude - expected).norm() < 1e-12 * expected.norm());
+  }
+}
