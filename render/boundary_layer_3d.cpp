@@ -13,7 +13,10 @@ struct MeshVertex {
 };
 constexpr std::array mesh_layout{gl::Attribute{0, 3, offsetof(MeshVertex, x)},
                                  gl::Attribute{1, 3, offsetof(MeshVertex, normal)}};
-constexpr int mesh_resolution = 56;
+/// Cells along a mesh's longest side.
+int mesh_resolution(const Frame& frame) {
+  return frame.software && !frame.options.best_quality ? 24 : 56;
+}
 
 glm::vec3 to_glm(const Vec3& v) {
   return {v.x(), v.y(), v.z()};
@@ -77,7 +80,7 @@ void BoundaryLayer3D::prepare(const Frame& frame, const ViewBounds& body) {
       solid.bounds = mesh_bounds(view, body);
       solid.centre = solid.bounds.centre();
       solid.container = view.distance(solid.bounds.min) < 0 && view.distance(solid.bounds.max) < 0;
-      solid.mesh.upload(relative_to(solid.centre, surface_mesh(view.distance, solid.bounds, mesh_resolution)));
+      solid.mesh.upload(relative_to(solid.centre, surface_mesh(view.distance, solid.bounds, mesh_resolution(frame))));
     }
     solids_.push_back(std::move(solid));
   }
@@ -96,11 +99,11 @@ void BoundaryLayer3D::upload_regions(const Frame& frame) {
   regions_.upload(segments, {});
 }
 
-void BoundaryLayer3D::draw_plane(const Frame& frame, const glm::vec2& size, const Shadow& shadow,
-                                 const ViewBounds& body, const Plane& plane) {
+void BoundaryLayer3D::draw_plane(const Frame& frame, const Shadow& shadow, const ViewBounds& body, const Plane& plane) {
   const auto& camera = std::get<OrbitCamera>(frame.camera);
   const double reach = std::max(3 * body.size().maxCoeff(), 1.2 * camera.distance);
   const Vec3 n = plane.normal;
+  if (n.dot(camera.eye() - plane.point) <= 0) return;  // seen from inside of the solid
   const Vec3 tangent = n.cross(std::abs(n.y()) > 0.9 ? Vec3::UnitZ() : Vec3::UnitY()).normalized();
   const Vec3 bitangent = n.cross(tangent);
   // The lattice belongs to the world; its middle is below the body.
@@ -112,11 +115,8 @@ void BoundaryLayer3D::draw_plane(const Frame& frame, const glm::vec2& size, cons
   };
   Program& p = plane_program_;
   p.use();
-  p.set("u_inverse", glm::inverse(frame.view_projection));
   p.set("u_view_projection", frame.view_projection);
-  p.set("u_eye", to_glm(camera.eye() - frame.origin));
   p.set("u_point", to_glm(middle - frame.origin));
-  p.set("u_normal", to_glm(n));
   p.set("u_tangent", to_glm(tangent));
   p.set("u_bitangent", to_glm(bitangent));
   p.set("u_phase", glm::vec2(phase(tangent), phase(bitangent)));
@@ -124,18 +124,16 @@ void BoundaryLayer3D::draw_plane(const Frame& frame, const glm::vec2& size, cons
   p.set("u_reach", static_cast<float>(reach));
   p.set("u_fill", rgb(frame.theme().ground));
   p.set("u_line", rgb(frame.theme().ground_line));
-  p.set("u_size", size);
   shadow.set(p);
-  full_screen_.draw();
+  square_.draw_square();
 }
 
-void BoundaryLayer3D::draw_solids(const Frame& frame, const glm::vec2& size, const Shadow& shadow,
-                                  const ViewBounds& body) {
+void BoundaryLayer3D::draw_solids(const Frame& frame, const Shadow& shadow, const ViewBounds& body) {
   const auto& camera = std::get<OrbitCamera>(frame.camera);
   for (const Solid& solid : solids_) {
     const Vec3 shift = displacement(frame.snapshot, solid.boundary);
     if (solid.plane) {
-      draw_plane(frame, size, shadow, body, {solid.plane->point + shift, solid.plane->normal});
+      draw_plane(frame, shadow, body, {solid.plane->point + shift, solid.plane->normal});
       continue;
     }
     mesh_program_.use();

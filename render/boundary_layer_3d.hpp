@@ -12,8 +12,8 @@ class BoundaryLayer3D {
   BoundaryLayer3D();
   /// Makes planes and meshes, once a scene; `body` says where an unbounded solid is of interest.
   void prepare(const Frame& frame, const ViewBounds& body);
-  /// Planes and meshes into the bound target. `size` is the target's; the body's depth lies on texture unit 1.
-  void draw_solids(const Frame& frame, const glm::vec2& size, const Shadow& shadow, const ViewBounds& body);
+  /// Planes and meshes into the bound target. The body's depth lies on texture unit 1.
+  void draw_solids(const Frame& frame, const Shadow& shadow, const ViewBounds& body);
   /// Depth of the meshes along the light, into the bound shadow map.
   void draw_shadow(const Frame& frame, const glm::mat4& view_projection);
   /// `body` and the bounded solids beside it.
@@ -23,8 +23,7 @@ class BoundaryLayer3D {
 
  private:
   void upload_regions(const Frame& frame);
-  void draw_plane(const Frame& frame, const glm::vec2& size, const Shadow& shadow, const ViewBounds& body,
-                  const Plane& plane);
+  void draw_plane(const Frame& frame, const Shadow& shadow, const ViewBounds& body, const Plane& plane);
 
   struct Solid {
     std::size_t boundary;
@@ -35,7 +34,7 @@ class BoundaryLayer3D {
     gl::Batch mesh;
   };
   Program plane_program_{"ground3d"}, mesh_program_{"mesh3d"};
-  gl::FullScreen full_screen_;
+  gl::FullScreen square_;
   std::vector<Solid> solids_;
   Ink regions_;
   Anchor region_anchor_;

@@ -16,7 +16,12 @@ struct Box {
   Point2 min, max;
 };
 
-/// A panel of this size in the upper right corner.
+/// The legend stands beside the title, or below it where the view is narrow.
+float top_of(Point2 min, Point2 max) {
+  return min.y + margin + (max.x - min.x < 520 ? 44.f : 0.f);
+}
+
+/// A panel of this size at the right edge.
 Box panel(const RenderTheme& theme, Painter& painter, Point2 max, float top, float width, float height) {
   const Box box{{max.x - margin - width, top}, {max.x - margin, top + height}};
   painter.rectangle(box.min, box.max, theme.panel, 6);
@@ -26,7 +31,7 @@ Box panel(const RenderTheme& theme, Painter& painter, Point2 max, float top, flo
 void draw_categories(const OverlayInfo& info, const RenderTheme& theme, Painter& painter, Point2 min, Point2 max) {
   constexpr float row = 20;
   // More names than fit end with how many are missing.
-  const float room = max.y - min.y - 2 * margin - 100;
+  const float room = max.y - top_of(min, max) - margin - 100;
   const auto most = static_cast<std::size_t>(std::max(1.f, room / row));
   std::vector<std::string> names = info.material_names;
   if (names.empty()) return;
@@ -39,7 +44,7 @@ void draw_categories(const OverlayInfo& info, const RenderTheme& theme, Painter&
   const std::string title(field_info(info.field).label);
   float width = painter.text_width(title, title_size, FontWeight::bold);
   for (const std::string& name : names) width = std::max(width, 20 + painter.text_width(name, text_size));
-  const Box box = panel(theme, painter, max, min.y + margin, width + 2 * padding,
+  const Box box = panel(theme, painter, max, top_of(min, max), width + 2 * padding,
                         2 * padding + title_size + row * static_cast<float>(names.size()) + 2);
   const float x = box.min.x + padding;
   float y = box.min.y + padding + title_size - 2;
@@ -73,7 +78,7 @@ void draw_scalar(const OverlayInfo& info, const RenderTheme& theme, Painter& pai
   for (const Tick& t : ticks.major) labels = std::max(labels, painter.text_width(t.label, text_size));
   const float content = std::max(painter.text_width(title, title_size), bar_width + tick_gap + labels);
   const Box box =
-      panel(theme, painter, max, min.y + margin, content + 2 * padding, height + title_size + 14 + 2 * padding);
+      panel(theme, painter, max, top_of(min, max), content + 2 * padding, height + title_size + 14 + 2 * padding);
   painter.text({box.max.x - padding, box.min.y + padding + title_size - 3}, title, title_size, theme.text,
                TextAlign::right);
   const float right = box.max.x - padding, top = box.min.y + padding + title_size + 10;

@@ -50,6 +50,12 @@ void FullScreen::draw() const {
   glBindVertexArray(0);
 }
 
+void FullScreen::draw_square() const {
+  glBindVertexArray(array_.name());
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  glBindVertexArray(0);
+}
+
 TargetGuard::TargetGuard() {
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer_);
   glGetIntegerv(GL_VIEWPORT, viewport_);

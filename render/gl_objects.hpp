@@ -85,6 +85,8 @@ class Batch {
 class FullScreen {
  public:
   void draw() const;
+  /// The corners of a square instead, as a strip.
+  void draw_square() const;
 
  private:
   VertexArray array_;

@@ -1,4 +1,5 @@
 // What a snapshot occupies, and which particle is under the mouse: camera.hpp declares both.
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +9,9 @@
 namespace pf {
 
 namespace {
+
+/// Radius of the ball of volume 1.
+constexpr double unit_ball = 0.6203504909;
 
 Vec3 position(const Snapshot& s, std::size_t p) {
   return s.dimension == 2 ? Vec3(s.x[2 * p], s.x[2 * p + 1], 0) : Vec3(s.x[3 * p], s.x[3 * p + 1], s.x[3 * p + 2]);
@@ -47,6 +51,21 @@ std::optional<std::size_t> pick_flat(const Snapshot& s, const Camera2D& camera, 
   return best;
 }
 
+/// Where the ray from the eye enters the particle's ball mapped by F, as it is drawn; infinite where it misses.
+/// `centre` is relative to the eye.
+double ellipsoid_entry(const Snapshot& s, std::size_t p, const Vec3& centre, const Vec3& ray) {
+  const double infinity = std::numeric_limits<double>::infinity(), radius = unit_ball * 2 * half_side(s, p);
+  Mat3 A = Mat3::Identity();
+  if (s.F.size() >= 9 * (p + 1)) A = Eigen::Map<const Eigen::Matrix3f>(s.F.data() + 9 * p).cast<double>();
+  const double largest = radius * A.norm();  // no singular value is larger
+  if ((centre - ray.dot(centre) * ray).squaredNorm() > largest * largest || std::abs(A.determinant()) < 1e-6)
+    return infinity;
+  const Mat3 inverse = A.inverse() / radius;
+  const Vec3 o = -(inverse * centre), d = inverse * ray;
+  const double a = d.squaredNorm(), b = o.dot(d), discriminant = b * b - a * (o.squaredNorm() - 1);
+  return discriminant < 0 ? infinity : (-b - std::sqrt(discriminant)) / a;
+}
+
 std::optional<std::size_t> pick_solid(const Snapshot& s, const OrbitCamera& camera, ViewSize size, const Vec<2>& pixel,
                                       double reach) {
   const Vec3 eye = camera.eye(), ray = camera.ray(pixel, size);
@@ -57,10 +76,11 @@ std::optional<std::size_t> pick_solid(const Snapshot& s, const OrbitCamera& came
     const Vec3 d = position(s, p) - eye;
     const double depth = d.dot(ray);
     if (depth <= 0) continue;
-    const double miss = (d - depth * ray).norm(), radius = 1.24 * half_side(s, p);
-    if (miss <= radius && depth < inside_depth) {
+    const double miss = (d - depth * ray).norm(), radius = 2 * unit_ball * half_side(s, p);
+    const double entry = ellipsoid_entry(s, p, d, ray);
+    if (entry < inside_depth) {
       inside = p;
-      inside_depth = depth;
+      inside_depth = entry;
     }
     const double angle = (miss - radius) / depth;
     if (angle <= reach * radians_per_pixel && angle < near_miss) {

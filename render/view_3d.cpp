@@ -125,7 +125,7 @@ void View3D::draw(Frame& frame, Background& background, GridLayer& grid, ColorTe
   background.draw(inner);
   compose(inner);
   glEnable(GL_BLEND);
-  if (options.boundaries) boundaries_.draw_solids(inner, inner.size(), shadow, body);
+  if (options.boundaries) boundaries_.draw_solids(inner, shadow, body);
   glDepthMask(GL_FALSE);
   if (options.regions) boundaries_.draw_regions(inner, ink);
   grid.draw(inner, ink);

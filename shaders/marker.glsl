@@ -44,7 +44,11 @@ void main() {
     d = v_radius - length(v_p);
   }
   float alpha = clamp(d + 0.5, 0.0, 1.0);
-  if (alpha <= 0.0) discard;
-  out_color = vec4(v_color.rgb, v_color.a * alpha);
+  // Rings and crosses mean something on any colour: a rim of the opposite lightness.
+  float rim = v_style == 1 || v_style == 2 ? 0.65 * clamp(d + u_scale + 0.5, 0.0, 1.0) : 0.0;
+  float both = alpha + rim * (1.0 - alpha);
+  if (both <= 0.0) discard;
+  vec3 edge = vec3(dot(v_color.rgb, vec3(0.3, 0.59, 0.11)) > 0.5 ? 0.05 : 0.95);
+  out_color = vec4(mix(edge, v_color.rgb, alpha / both), v_color.a * both);
 }
 #endif

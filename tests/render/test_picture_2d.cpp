@@ -118,3 +118,43 @@ TEST_CASE("particles with J <= 0 are marked") {
   const Image image = drawn(s, options, camera, "inverted");
   CHECK(difference(at_particle(image, s, camera, p), options.theme.inverted) < 0.1);
 }
+
+TEST_CASE("every option draws without errors of OpenGL, and a second frame is the same") {
+  Snapshot s = fake::two_blocks();
+  s.grabbed = true;
+  s.grab_at = {0.3, 0.8, 0};
+  s.grab_target = {0.6, 1.1, 0};
+  s.grab_radius = 0.1;
+  OffscreenContext context;
+  Renderer renderer;
+  OffscreenTarget target(size);
+  const Camera camera = fitted(s);
+  RenderOptions options;
+  options.field = Field::J;
+  options.grid = options.velocities = options.bent_grid = true;
+  options.selected = 821;
+  for (const bool deformed : {true, false}) {
+    options.deformed = deformed;
+    renderer.draw(s, options, camera, {0, 0, size});
+    const Image first = target.read();
+    renderer.draw(s, options, camera, {0, 0, size});
+    CHECK(target.read().pixels == first.pixels);
+    CHECK(take_gl_errors() == "");
+    if (const char* folder = std::getenv("PUSHFORWARD_TEST_PICTURES"))
+      write_png(first, std::filesystem::path(folder) / (deformed ? "all.png" : "all_round.png"));
+  }
+}
+
+TEST_CASE("a snapshot without grid, F, fields or scene is drawn as far as it goes") {
+  Snapshot s = fake::two_blocks();
+  s.F.clear();
+  s.volume0.clear();
+  s.field = {};
+  s.scene = nullptr;
+  s.nodes = 0;
+  s.node_index.clear();
+  RenderOptions options;
+  options.grid = options.velocities = options.bent_grid = true;
+  (void)drawn(s, options, fitted(fake::two_blocks()), "bare");
+  (void)drawn(Snapshot{}, options, fitted(fake::two_blocks()), "empty");
+}
