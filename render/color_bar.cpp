@@ -76,12 +76,18 @@ void draw_scalar(const OverlayInfo& info, const RenderTheme& theme, Painter& pai
   const std::string title = axis_title(std::string(field.label), std::string(field.unit), ticks.exponent);
   float labels = 0;
   for (const Tick& t : ticks.major) labels = std::max(labels, painter.text_width(t.label, text_size));
-  const float content = std::max(painter.text_width(title, title_size), bar_width + tick_gap + labels);
-  const Box box =
-      panel(theme, painter, max, top_of(min, max), content + 2 * padding, height + title_size + 14 + 2 * padding);
-  painter.text({box.max.x - padding, box.min.y + padding + title_size - 3}, title, title_size, theme.text,
-               TextAlign::right);
-  const float right = box.max.x - padding, top = box.min.y + padding + title_size + 10;
+  // The title runs up beside the bar where it is short enough, else it lies above.
+  const float title_width = painter.text_width(title, title_size), scale_width = bar_width + tick_gap + labels;
+  const bool beside = title_width <= height;
+  const float width = beside ? scale_width + title_size + 8 : std::max(title_width, scale_width);
+  const float above = beside ? 0 : title_size + 12;
+  const Box box = panel(theme, painter, max, top_of(min, max), width + 2 * padding, height + above + 2 * padding);
+  const float right = box.max.x - padding, top = box.min.y + padding + above;
+  if (beside)
+    painter.text({box.min.x + padding + 0.75f * title_size, top + 0.5f * height}, title, title_size, theme.text,
+                 TextAlign::centre, FontWeight::regular, 1);
+  else
+    painter.text({right, top - 14}, title, title_size, theme.text, TextAlign::right);
   const Box bar{{right - bar_width, top}, {right, top + height}};
   draw_gradient(field, painter, bar);
   for (const Tick& t : ticks.major) {

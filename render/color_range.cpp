@@ -16,8 +16,8 @@ double round_up(double value) {
 }
 
 /// Half widths below this are rounding noise, not data.
-double smallest_width(const FieldInfo& info, double magnitude) {
-  return info.field == Field::J ? 1e-4 : std::max(1e-9, 1e-6 * magnitude);
+double smallest_width(const FieldInfo& info) {
+  return info.field == Field::J ? 1e-4 : 1e-9;
 }
 
 }  // namespace
@@ -35,19 +35,15 @@ ValueRange percentile_range(std::span<const float> values, const FieldInfo& info
     std::nth_element(sample.begin(), at, sample.end());
     return static_cast<double>(*at);
   };
-  const double low = percentile(0.02), high = percentile(0.98);
+  const double high = percentile(0.98);
   if (info.scale == FieldScale::diverging) {
+    const double low = percentile(0.02);
     const double half = std::max(std::abs(low - info.centre), std::abs(high - info.centre));
-    const double rounded = half > smallest_width(info, 0) ? round_up(half) : smallest_width(info, 0);
+    const double rounded = half > smallest_width(info) ? round_up(half) : smallest_width(info);
     return {info.centre - rounded, info.centre + rounded};
   }
-  if (high <= smallest_width(info, 0)) return {0, 1};
-  // Magnitudes begin at zero unless the data keep far from it.
-  if (low < 0.5 * high) return {0, round_up(high)};
-  const double width = round_up(std::max(high - low, smallest_width(info, high)));
-  const double unit = width / 20;
-  const double from = std::floor(low / unit) * unit;
-  return {from, from + unit * std::ceil((high - from) / unit)};
+  if (high <= smallest_width(info)) return {0, 1};
+  return {0, round_up(high)};  // magnitudes begin at zero
 }
 
 const ValueRange& AutoRange::update(std::span<const float> values, const FieldInfo& info) {

@@ -158,8 +158,8 @@ OverlayInfo OverlayInfo::of(const Snapshot& snapshot, const Renderer& renderer, 
 }
 
 ViewMargins overlay_margins(int dimension) {
-  ViewMargins m{28, 104, 66, 66};
-  if (dimension == 3) m = {28, 104, 60, 40};
+  ViewMargins m{28, 132, 62, 66};
+  if (dimension == 3) m = {28, 132, 60, 40};
   return m;
 }
 

@@ -114,6 +114,17 @@ ViewBounds particle_bounds(const Snapshot& snapshot) {
   return b;
 }
 
+namespace {
+/// The upper corner of a solid, or of what is of interest of a container: bodies fall, so its upper part stays empty.
+Vec3 with_lid_cut(const BoundaryView& solid, const ViewBounds& body) {
+  Vec3 max = solid.max;
+  const bool holds_body = (solid.min.head<2>().array() <= body.min.head<2>().array()).all() &&
+                          (solid.max.head<2>().array() >= body.max.head<2>().array()).all();
+  if (holds_body) max.y() = std::min(max.y(), body.max.y() + 0.15 * (body.max.y() - solid.min.y()));
+  return max;
+}
+}  // namespace
+
 ViewBounds scene_bounds(const Snapshot& first) {
   const ViewBounds body = particle_bounds(first);
   ViewBounds b = body;
@@ -127,7 +138,7 @@ ViewBounds scene_bounds(const Snapshot& first) {
   };
   for (const BoundaryView& solid : first.scene->boundaries) {
     if (solid.min.head(first.dimension).allFinite() && solid.max.head(first.dimension).allFinite())
-      include(solid.min, solid.max, 1.5 * reach);
+      include(solid.min, with_lid_cut(solid, body), 1.5 * reach);
     if (!solid.distance) continue;
     // The way from the body down to an unbounded floor, with some of the floor itself.
     const Vec3 below(body.centre().x(), body.min.y(), body.centre().z());

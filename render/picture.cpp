@@ -21,11 +21,26 @@ struct PictureMaker::Impl {
   OffscreenContext context;
   Renderer renderer;
   OffscreenTarget target;
-  std::optional<Camera> camera;
+  std::optional<Camera> camera;    ///< set by the caller
+  std::optional<ViewBounds> seen;  ///< else: what all pictures until now had to show
+  Vec3 first_size = Vec3::Zero();
 
   explicit Impl(const PictureOptions& wanted) : options(wanted), target(wanted.size, 4) {
     options.render.pixel_scale = scale_of(options.size);
     options.render.best_quality = true;
+  }
+
+  Camera follow(const Snapshot& snapshot) {
+    if (!seen) {
+      seen = scene_bounds(snapshot);
+      first_size = seen->size();
+    }
+    const ViewBounds body = particle_bounds(snapshot);
+    const Vec3 most = Vec3::Constant(first_size.maxCoeff());
+    const Vec3 centre = seen->centre();
+    seen->min = seen->min.cwiseMin(body.min.cwiseMax(centre - 1.5 * most));
+    seen->max = seen->max.cwiseMax(body.max.cwiseMin(centre + 1.5 * most));
+    return picture_camera(snapshot.dimension, *seen, options.size, options.overlay);
   }
 };
 
@@ -45,12 +60,12 @@ Image PictureMaker::draw(const Snapshot& snapshot) {
   Impl& im = *impl_;
   im.context.make_current();
   const ViewSize size = im.target.size();
-  if (!im.camera) im.camera = picture_camera(snapshot, size, im.options.overlay);
+  const Camera camera = im.camera ? *im.camera : im.follow(snapshot);
   im.target.bind();
-  im.renderer.draw(snapshot, im.options.render, *im.camera, {0, 0, size});
+  im.renderer.draw(snapshot, im.options.render, camera, {0, 0, size});
   Image image = im.target.read();
   if (!im.options.overlay) return image;
-  OverlayInfo info = OverlayInfo::of(snapshot, im.renderer, im.options.render, *im.camera, size);
+  OverlayInfo info = OverlayInfo::of(snapshot, im.renderer, im.options.render, camera, size);
   info.title = im.options.title;
   const float scale = im.options.render.pixel_scale;
   PngPainter painter(image, scale);

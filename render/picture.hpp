@@ -30,7 +30,8 @@ class PictureMaker {
 
   /// May be changed between pictures, all but the size.
   PictureOptions& options();
-  /// Seen through the camera set last, else through picture_camera() of the first snapshot given.
+  /// Seen through the camera set last; else through picture_camera() of the first snapshot given, widened where
+  /// bodies leave it (to at most three times its size).
   Image draw(const Snapshot& snapshot);
   void set_camera(const Camera& camera);
 

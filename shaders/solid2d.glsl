@@ -34,11 +34,12 @@ void main() {
   if (u_regions) {
     // A region may have zero thickness: its outline runs two pixels outside of it.
     float c = d.g - 2.0 * s;
-    float inside = clamp(0.5 - c, 0.0, 1.0);
+    // Fading inwards: a region may be larger than the view.
+    float inside = clamp(0.5 - c, 0.0, 1.0) * (0.1 + 0.9 * exp(min(c, 0.0) / (40.0 * s)));
     color = over(color, ink(u_constraint, inside * (0.10 + 0.22 * stripes(falling, 9.0 * s, s))));
     color = over(color, ink(u_constraint, 0.75 * clamp(0.5 * s + 0.5 - abs(c), 0.0, 1.0)));
     float l = d.b - 2.0 * s;
-    inside = clamp(0.5 - l, 0.0, 1.0);
+    inside = clamp(0.5 - l, 0.0, 1.0) * (0.1 + 0.9 * exp(min(l, 0.0) / (40.0 * s)));
     color = over(color, ink(u_load, inside * (0.12 + 0.25 * stripes(rising, 6.0 * s, s))));
     color = over(color, ink(u_load, 0.85 * clamp(0.5 * s + 0.5 - abs(l), 0.0, 1.0)));
   }

@@ -25,10 +25,14 @@ class NotingPainter : public Painter {
   void circle(Point2, float, Color) override {}
   void ring(Point2, float, Color, float) override {}
   void text(Point2 at, std::string_view text, float size, Color color, TextAlign align, FontWeight weight,
-            int) override {
+            int quarter_turns) override {
     if (color.a < 0.9f) return;  // the rim of a text
     const float w = text_width(text, size, weight);
     const float x = align == TextAlign::left ? at.x : align == TextAlign::centre ? at.x - 0.5f * w : at.x - w;
+    if (quarter_turns == 1) {  // upwards, always centred here
+      texts.push_back({at.x - 0.75f * size, at.y - 0.5f * w, at.x + 0.2f * size, at.y + 0.5f * w, std::string(text)});
+      return;
+    }
     texts.push_back({x, at.y - 0.75f * size, x + w, at.y + 0.2f * size, std::string(text)});
   }
   float text_width(std::string_view text, float size, FontWeight) const override {
