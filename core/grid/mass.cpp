@@ -33,7 +33,9 @@ template <int D>
 MassMatrix<D>::MassMatrix(const Plan<D>& plan, const Particles<D>& particles, const Vector& lumped, bool consistent,
                           Parallel& parallel, Work& work)
     : plan_(plan), particles_(particles), lumped_(lumped), consistent_(consistent), parallel_(parallel), work_(work) {
-  if (consistent_) compute_diagonal();
+  if (!consistent_) return;
+  if (particles.size() < static_cast<std::size_t>(plan.node_count())) blend_ = singular_blend;
+  compute_diagonal();
 }
 
 template <int D>
@@ -55,6 +57,7 @@ void MassMatrix<D>::compute_diagonal() {
       add_block<D, K, 1>(plan_, block, local, diagonal_.data());
     });
   });
+  diagonal_ = (1 - blend_) * diagonal_ + blend_ * lumped_;
 }
 
 template <int D>
@@ -83,6 +86,10 @@ void MassMatrix<D>::multiply(const Vector& v, Vector& out) const {
       add_block<D, K, D>(plan_, block, result, out.data());
     });
   });
+  if (blend_ > 0) {
+    out *= 1 - blend_;
+    for (Eigen::Index i = 0; i < lumped_.size(); ++i) out.segment<D>(i * D) += blend_ * lumped_[i] * v.segment<D>(i * D);
+  }
   work_.hessian_product += particles_.size();
 }
 
@@ -125,10 +132,11 @@ int MassMatrix<D>::solve(const Vector& b, Vector& v, double& residual) const {
 
 template <int D>
 void MassMatrix<D>::assemble(double factor, BlockMatrix<D>& H) const {
-  if (!consistent_) {
-    for (int i = 0; i < H.rows(); ++i) H.at(i, i).diagonal().array() += factor * lumped_[i];
-    return;
-  }
+  const double lumped_part = consistent_ ? blend_ : 1;
+  if (lumped_part > 0)
+    for (int i = 0; i < H.rows(); ++i) H.at(i, i).diagonal().array() += factor * lumped_part * lumped_[i];
+  if (!consistent_) return;
+  factor *= 1 - blend_;
   with_nodes_per_axis(plan_, [&](auto k) {
     constexpr int K = k, count = D == 2 ? K * K : K * K * K;
     constexpr int edge = Stencil<D, K, 1>::edge;

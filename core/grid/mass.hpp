@@ -8,6 +8,9 @@
 
 namespace pf {
 
+/// Part of the lumped matrix that a singular consistent one is blended with; measured in docs/mass-matrix.md.
+inline constexpr double singular_blend = 0.05;
+
 template <int D>
 class MassMatrix {
  public:
@@ -16,14 +19,17 @@ class MassMatrix {
              Work& work);
 
   bool consistent() const { return consistent_; }
+  /// b of (1 - b) M + b lumped: 0 unless M is consistent and singular. M is a sum of one rank-one matrix a particle, so with
+  /// fewer particles than nodes it must be; the blend keeps every row sum, hence all momenta.
+  double blend() const { return blend_; }
   const Vector& lumped() const { return lumped_; }
   /// The diagonal, one entry a node: m_i or M_ii.
   const Vector& diagonal() const { return consistent_ ? diagonal_ : lumped_; }
   /// out = M v, D components a node.
   void multiply(const Vector& v, Vector& out) const;
-  /// M v = b by conjugate gradients scaled by the diagonal, from v = v0. M may be singular (fewer particles than nodes) or
-  /// nearly so (slivers at the body's edge); b = sum m_p v_p N_i lies in its range, so the iteration converges, and
-  /// what M does not see keeps the start v0. Returns the iterations; `residual` is relative, scaled.
+  /// M v = b by conjugate gradients scaled by the diagonal, from v = v0. M may be nearly singular (slivers at the body's
+  /// edge); b = sum m_p v_p N_i lies in its range, so the iteration converges, and what M does not see keeps the start
+  /// v0. Returns the iterations; `residual` is relative, scaled.
   int solve(const Vector& b, Vector& v, double& residual) const;
   /// H += factor M.
   void assemble(double factor, BlockMatrix<D>& H) const;
@@ -36,6 +42,7 @@ class MassMatrix {
   const Particles<D>& particles_;
   const Vector& lumped_;
   bool consistent_;
+  double blend_ = 0;
   Parallel& parallel_;
   Work& work_;
   Vector diagonal_;

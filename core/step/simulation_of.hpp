@@ -63,6 +63,7 @@ class SimulationOf final : public Simulation {
   double next_dt() const;
   Attempt attempt(double dt, const std::atomic<bool>* cancel, StepReport& report);
   void grid_velocity(StepReport& report);
+  void tell_of_blend(const MassMatrix<D>& M, StepReport& report);
   Attempt judge(const NewtonResult& newton, double dt, StepReport& report);
   void keep_state();
   void restore_state();
@@ -97,7 +98,7 @@ class SimulationOf final : public Simulation {
 
   double time_ = 0, end_ = 0;
   double dt_limit_ = 0;  ///< after a retry: at most this, doubled with each accepted step
-  long step_ = 0;
+  bool told_of_blend_ = false;
   StepReport accepted_, returned_;
   Work work_;
 

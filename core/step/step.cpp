@@ -94,12 +94,22 @@ void SimulationOf<D>::grid_velocity(StepReport& report) {
   lumped_velocity(plan_, particles_, grid_);
   if (scene_.transfer.velocity_mass == "consistent") {
     const MassMatrix<D> M(plan_, particles_, grid_.mass, true, parallel_, work_);
+    tell_of_blend(M, report);
     double residual = 0;
     M.solve(grid_.momentum, grid_.v, residual);
     if (residual > 1e-8)
       report.warnings.push_back("The consistent velocity transfer left a relative residual of " + number(residual) + ".");
   }
   work_.p2g += particles_.size();
+}
+
+template <int D>
+void SimulationOf<D>::tell_of_blend(const MassMatrix<D>& M, StepReport& report) {
+  if (M.blend() > 0 && !told_of_blend_)
+    report.warnings.push_back("The consistent mass matrix is singular (" + std::to_string(particles_.size()) + " particles, " +
+                              std::to_string(plan_.node_count()) + " nodes): blended with " + number(100 * M.blend()) +
+                              " % of the lumped one. More particles a cell avoid this.");
+  told_of_blend_ = M.blend() > 0;
 }
 
 template <int D>
@@ -137,6 +147,7 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(double dt, const std:
   Vector force = loads_.force(plan_, particles_, grid_.mass, stage, parallel_);
   if (known_.manufactured()) known_.add_force(plan_, particles_, laws_, scene_, stage, parallel_, force);
   const MassMatrix<D> M(plan_, particles_, grid_.mass, scene_.integrator.mass == "consistent", parallel_, work_);
+  if (M.consistent()) tell_of_blend(M, report);
   ElasticEnergy<D> elastic(plan_, particles_, laws_, parallel_, work_);
   std::optional<GrabSpring<D>> spring;
   if (grab_) spring.emplace(plan_, particles_, held_, Vec<D>(grab_->to.head<D>()), grab_stiffness_);
