@@ -34,7 +34,8 @@ double estimated_memory(const Scene& scene) {
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     const double particles = estimated_particles(scene, k);
     const double per_cell = std::pow(scene.bodies[k].particles_per_axis, d);
-    // Particle arrays twice (one kept for roll-back), F, P, psi of the solve; weights and tangents in lanes; a snapshot.
+    // Particle arrays twice (one kept for roll-back), F, P, psi of the solve; weights and tangents in lanes; a
+    // snapshot.
     const double vectors = 8.0 * d * 5 + 8.0 * d * d * 6 + 64;
     const double lanes = per_cell < lane_count<3> ? lane_count<3> / per_cell : 1.5;
     const double solve = lanes * 8.0 * (2 * d * K + d * d * (d * d + 1) / 2);

@@ -49,22 +49,22 @@ struct Snapshot {
 
   // Particles, in the simulation's own order; arrays of `dimension` components are interleaved.
   std::size_t particles = 0;
-  std::vector<std::uint32_t> id;        ///< index at t = 0, stable
-  std::vector<std::uint16_t> body;      ///< into SceneView::body_names
-  std::vector<std::uint16_t> material;  ///< into SceneView::material_names
-  std::vector<double> x;                ///< [m]
-  std::vector<float> F;                 ///< dimension^2 each, column-major
-  std::vector<float> volume0;           ///< V_p^0 [m^dimension]
-  std::vector<float> v;                 ///< [m/s], if requested
+  std::vector<std::uint32_t> id;                      ///< index at t = 0, stable
+  std::vector<std::uint16_t> body;                    ///< into SceneView::body_names
+  std::vector<std::uint16_t> material;                ///< into SceneView::material_names
+  std::vector<double> x;                              ///< [m]
+  std::vector<float> F;                               ///< dimension^2 each, column-major
+  std::vector<float> volume0;                         ///< V_p^0 [m^dimension]
+  std::vector<float> v;                               ///< [m/s], if requested
   std::array<std::vector<float>, field_count> field;  ///< by Field, empty unless requested
 
   // Active grid nodes of the last step, if requested: where they were at t^n and what the step did to them.
   std::size_t nodes = 0;
-  std::vector<std::int32_t> node_index;  ///< lattice coordinates; x_i = dx * index
-  std::vector<double> node_mass;         ///< m_i [kg]
-  std::vector<double> node_velocity;     ///< v_i^{n+1} [m/s]
-  std::vector<double> node_displacement; ///< x^_i - x_i [m]
-  std::vector<std::uint8_t> node_state;  ///< bit 0: fixed by a constraint; bit 1: in contact; bit 2: in a solid, apart
+  std::vector<std::int32_t> node_index;   ///< lattice coordinates; x_i = dx * index
+  std::vector<double> node_mass;          ///< m_i [kg]
+  std::vector<double> node_velocity;      ///< v_i^{n+1} [m/s]
+  std::vector<double> node_displacement;  ///< x^_i - x_i [m]
+  std::vector<std::uint8_t> node_state;   ///< bit 0: fixed by a constraint; bit 1: in contact; bit 2: in a solid, apart
 
   std::shared_ptr<const SceneView> scene;
   std::vector<Vec3> boundary_displacement;  ///< one a boundary, at report.time

@@ -18,7 +18,7 @@ struct NewtonIteration {
   double energy = 0;       ///< incremental potential E [J]
   double step_length = 0;  ///< accepted by the line search, 0 when none was taken
   int linear_iterations = 0;
-  bool projected = false;  ///< the tangent was projected to positive semi-definite
+  bool projected = false;        ///< the tangent was projected to positive semi-definite
   bool residual_search = false;  ///< energy differences were lost in rounding: searched on the gradient's norm
 };
 
@@ -36,8 +36,8 @@ struct Work {
 /// Sums over particles at the end of the step (INTERFACE, stats.csv).
 struct Balance {
   double kinetic = 0, elastic = 0, potential = 0;  ///< [J]; potential = -sum m g.x
-  Vec3 momentum = Vec3::Zero();                     ///< [kg m/s]
-  Vec3 angular_momentum = Vec3::Zero();             ///< [kg m^2/s], about the origin; only z in 2D
+  Vec3 momentum = Vec3::Zero();                    ///< [kg m/s]
+  Vec3 angular_momentum = Vec3::Zero();            ///< [kg m^2/s], about the origin; only z in 2D
   double total() const { return kinetic + elastic + potential; }
 };
 
@@ -54,9 +54,9 @@ struct ErrorNorms {
 
 struct StepReport {
   StepStatus status = StepStatus::accepted;
-  long step = 0;     ///< index of the state that the report describes; 0 is the initial state
-  double time = 0;   ///< [s]
-  double dt = 0;     ///< of this step [s]
+  long step = 0;    ///< index of the state that the report describes; 0 is the initial state
+  double time = 0;  ///< [s]
+  double dt = 0;    ///< of this step [s]
   std::vector<NewtonIteration> newton;
   double residual = 0;  ///< final relative value
   int linear_iterations = 0;
@@ -65,8 +65,8 @@ struct StepReport {
   ErrorNorms error;
   double min_J = 1, max_J = 1;
   int active_nodes = 0;
-  double cfl = 0;  ///< max |v_p| dt / dx
-  int retries = 0;  ///< how often the step was begun again with a smaller dt
+  double cfl = 0;         ///< max |v_p| dt / dx
+  int retries = 0;        ///< how often the step was begun again with a smaller dt
   double grab_force = 0;  ///< magnitude of the mouse spring's force [N]
   PhaseTimes ms;
   Work work;

@@ -11,7 +11,9 @@ namespace {
 constexpr std::array registry{linear_basis, quadratic_basis, cubic_basis};
 }  // namespace
 
-std::span<const BasisInfo> bases() { return registry; }
+std::span<const BasisInfo> bases() {
+  return registry;
+}
 
 const BasisInfo* find_basis(std::string_view name) {
   for (const BasisInfo& basis : registry)

@@ -22,7 +22,7 @@ inline void cubic_weights(double s, long long& base, double* N, double* dN) {
 }
 
 inline constexpr BasisInfo cubic_basis{
-    "cubic", "Cubic B-spline", "Smoothest; four nodes an axis, about twice the cost of quadratic in 3D.", 4, true,
-    cubic_weights};
+    "cubic", "Cubic B-spline", "Smoothest; four nodes an axis, about twice the cost of quadratic in 3D.", 4,
+    true,    cubic_weights};
 
 }  // namespace pf

@@ -18,7 +18,7 @@ inline void linear_weights(double s, long long& base, double* N, double* dN) {
 }
 
 inline constexpr BasisInfo linear_basis{
-    "linear", "Linear (Q1)", "Cheapest; force jumps when a particle crosses a cell face. Steffen et al. 2008.", 2, false,
-    linear_weights};
+    "linear", "Linear (Q1)", "Cheapest; force jumps when a particle crosses a cell face. Steffen et al. 2008.",
+    2,        false,         linear_weights};
 
 }  // namespace pf

@@ -20,7 +20,7 @@ inline void quadratic_weights(double s, long long& base, double* N, double* dN) 
 }
 
 inline constexpr BasisInfo quadratic_basis{
-    "quadratic", "Quadratic B-spline", "Smooth forces across cell faces; the default. Steffen et al. 2008.", 3, true,
-    quadratic_weights};
+    "quadratic", "Quadratic B-spline", "Smooth forces across cell faces; the default. Steffen et al. 2008.", 3,
+    true,        quadratic_weights};
 
 }  // namespace pf

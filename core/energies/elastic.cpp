@@ -8,7 +8,9 @@ namespace pf {
 
 namespace {
 
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+std::size_t at(std::int32_t i) {
+  return static_cast<std::size_t>(i);
+}
 
 /// Position of (row, column), row <= column, in the packed upper triangle of an n x n matrix.
 template <int N>
@@ -159,7 +161,8 @@ void ElasticEnergy<D>::block_tangents(const Block<D>& block, bool project) {
       Tangent<D> half;
       for (int d = 0; d < D; ++d) {
         half.template middleCols<D>(d * D).noalias() = A.template middleCols<D>(0) * Fn(d, 0);
-        for (int c = 1; c < D; ++c) half.template middleCols<D>(d * D).noalias() += A.template middleCols<D>(c * D) * Fn(d, c);
+        for (int c = 1; c < D; ++c)
+          half.template middleCols<D>(d * D).noalias() += A.template middleCols<D>(c * D) * Fn(d, c);
       }
       Wide<W>* out = tangent_.data() + at(batch) * components;
       for (int b = 0; b < D; ++b) {
@@ -205,7 +208,8 @@ void ElasticEnergy<D>::hessian_product(const Vector& p, Vector& Hp) {
         for (int row = 0; row < n2; ++row) {
           Wide<W> sum{};
           for (int column = 0; column < n2; ++column)
-            sum += A[packed<n2>(row < column ? row : column, row < column ? column : row)] * gradient[column % D][column / D];
+            sum += A[packed<n2>(row < column ? row : column, row < column ? column : row)] *
+                   gradient[column % D][column / D];
           flux[row % D][row / D] = sum;
         }
         S::template scatter<false, true>(nullptr, flux, w, w + D * K, result + batch.node * D);

@@ -1,4 +1,5 @@
-// The elastic energy of the particles: sum_p V_p^0 psi(F_p(x^)), F_p = (I + sum_j u_j (x) grad N_j) F_p^n (THEORY T3, T4).
+// The elastic energy of the particles: sum_p V_p^0 psi(F_p(x^)), F_p = (I + sum_j u_j (x) grad N_j) F_p^n (THEORY T3,
+// T4).
 #pragma once
 
 #include <memory>
@@ -17,7 +18,7 @@ using Laws = std::vector<std::unique_ptr<Law<D>>>;  ///< one a material
 
 /// Components of the symmetric d^2 x d^2 tangent: its upper triangle, row by row.
 template <int D>
-inline constexpr int tangent_components = D * D * (D * D + 1) / 2;
+inline constexpr int tangent_components = D* D*(D* D + 1) / 2;
 
 template <int D>
 class ElasticEnergy final : public Energy<D> {

@@ -1,5 +1,6 @@
-// Coulomb friction of an inner minimisation (THEORY T7): b |t|, t the tangential slip of a node against its wall, b = mu f_n
-// frozen. The corner at t = 0 belongs to FeasibleSet (a node at rest sticks); this is the smooth part away from it.
+// Coulomb friction of an inner minimisation (THEORY T7): b |t|, t the tangential slip of a node against its wall, b =
+// mu f_n frozen. The corner at t = 0 belongs to FeasibleSet (a node at rest sticks); this is the smooth part away from
+// it.
 #pragma once
 
 #include "core/energies/energy.hpp"

@@ -27,7 +27,8 @@ GrabSpring<D>::GrabSpring(const Plan<D>& plan, const Particles<D>& particles, co
           const auto* w = plan.weights(i);
           double N = w[n % K][lane] * w[K + n / K % K][lane];
           if constexpr (D == 3) N *= w[2 * K + n / (K * K)][lane];
-          nodes[plan.node_table(block)[batch.node + n % K + edge * (n / K % K + edge * (n / (K * K)))]] += found->second * N;
+          nodes[plan.node_table(block)[batch.node + n % K + edge * (n / K % K + edge * (n / (K * K)))]] +=
+              found->second * N;
         }
       }
     }

@@ -1,5 +1,5 @@
-// The mouse's spring: k/2 |x_g(u) - target|^2, x_g = sum_p w_p x_p(u) the mean of the held particles. It acts inside the
-// implicit solve, so that a stiff pull is as stable as the material.
+// The mouse's spring: k/2 |x_g(u) - target|^2, x_g = sum_p w_p x_p(u) the mean of the held particles. It acts inside
+// the implicit solve, so that a stiff pull is as stable as the material.
 #pragma once
 
 #include "core/energies/energy.hpp"
@@ -17,7 +17,8 @@ template <int D>
 class GrabSpring final : public Energy<D> {
  public:
   /// `stiffness` [N/m]; `target` [m]. Held particles are looked up in `particles` by id.
-  GrabSpring(const Plan<D>& plan, const Particles<D>& particles, const Held& held, const Vec<D>& target, double stiffness);
+  GrabSpring(const Plan<D>& plan, const Particles<D>& particles, const Held& held, const Vec<D>& target,
+             double stiffness);
 
   double value(const Vector& u) override;
   double gradient(const Vector& u, Vector& g, Vector& magnitude) override;

@@ -10,7 +10,8 @@ template <int D>
 class Inertia final : public Energy<D> {
  public:
   /// `v`: node velocities v^n; `mass` is referred to.
-  Inertia(const MassMatrix<D>& mass, const Vector& v, double dt) : mass_(mass), u_free_(dt * v), scale_(1 / (dt * dt)) {}
+  Inertia(const MassMatrix<D>& mass, const Vector& v, double dt)
+      : mass_(mass), u_free_(dt * v), scale_(1 / (dt * dt)) {}
 
   double value(const Vector& u) override;
   double gradient(const Vector& u, Vector& g, Vector& magnitude) override;

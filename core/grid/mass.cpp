@@ -9,7 +9,9 @@ namespace pf {
 
 namespace {
 
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+std::size_t at(std::int32_t i) {
+  return static_cast<std::size_t>(i);
+}
 
 /// The batch's masses, a lane a particle; 0 beyond count.
 template <int D>
@@ -88,7 +90,8 @@ void MassMatrix<D>::multiply(const Vector& v, Vector& out) const {
   });
   if (blend_ > 0) {
     out *= 1 - blend_;
-    for (Eigen::Index i = 0; i < lumped_.size(); ++i) out.segment<D>(i * D) += blend_ * lumped_[i] * v.segment<D>(i * D);
+    for (Eigen::Index i = 0; i < lumped_.size(); ++i)
+      out.segment<D>(i * D) += blend_ * lumped_[i] * v.segment<D>(i * D);
   }
   work_.hessian_product += particles_.size();
 }

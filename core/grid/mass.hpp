@@ -15,21 +15,21 @@ template <int D>
 class MassMatrix {
  public:
   /// `lumped`: m_i, one a node. All are referred to.
-  MassMatrix(const Plan<D>& plan, const Particles<D>& particles, const Vector& lumped, bool consistent, Parallel& parallel,
-             Work& work);
+  MassMatrix(const Plan<D>& plan, const Particles<D>& particles, const Vector& lumped, bool consistent,
+             Parallel& parallel, Work& work);
 
   bool consistent() const { return consistent_; }
-  /// b of (1 - b) M + b lumped: 0 unless M is consistent and singular. M is a sum of one rank-one matrix a particle, so with
-  /// fewer particles than nodes it must be; the blend keeps every row sum, hence all momenta.
+  /// b of (1 - b) M + b lumped: 0 unless M is consistent and singular. M is a sum of one rank-one matrix a particle, so
+  /// with fewer particles than nodes it must be; the blend keeps every row sum, hence all momenta.
   double blend() const { return blend_; }
   const Vector& lumped() const { return lumped_; }
   /// The diagonal, one entry a node: m_i or M_ii.
   const Vector& diagonal() const { return consistent_ ? diagonal_ : lumped_; }
   /// out = M v, D components a node.
   void multiply(const Vector& v, Vector& out) const;
-  /// M v = b by conjugate gradients scaled by the diagonal, from v = v0. M may be nearly singular (slivers at the body's
-  /// edge); b = sum m_p v_p N_i lies in its range, so the iteration converges, and what M does not see keeps the start
-  /// v0. Returns the iterations; `residual` is relative, scaled.
+  /// M v = b by conjugate gradients scaled by the diagonal, from v = v0. M may be nearly singular (slivers at the
+  /// body's edge); b = sum m_p v_p N_i lies in its range, so the iteration converges, and what M does not see keeps the
+  /// start v0. Returns the iterations; `residual` is relative, scaled.
   int solve(const Vector& b, Vector& v, double& residual) const;
   /// H += factor M.
   void assemble(double factor, BlockMatrix<D>& H) const;

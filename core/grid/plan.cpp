@@ -14,7 +14,9 @@ constexpr int edge_bits = 2;  // block_edge == 4
 static_assert(block_edge == 1 << edge_bits);
 
 /// Bits that hold any value in [0, n].
-int bits_for(std::uint64_t n) { return std::max(1, static_cast<int>(std::bit_width(n))); }
+int bits_for(std::uint64_t n) {
+  return std::max(1, static_cast<int>(std::bit_width(n)));
+}
 
 }  // namespace
 
@@ -29,7 +31,8 @@ struct Plan<D>::Keys {
   std::uint64_t pack(const std::array<long long, D>& base, std::uint16_t material) const {
     std::uint64_t block = 0, cell = 0;
     for (int a = D - 1; a >= 0; --a) {
-      const auto r = static_cast<std::uint64_t>(base[static_cast<std::size_t>(a)] - origin[static_cast<std::size_t>(a)]);
+      const auto r =
+          static_cast<std::uint64_t>(base[static_cast<std::size_t>(a)] - origin[static_cast<std::size_t>(a)]);
       block = block << block_bits[static_cast<std::size_t>(a)] | r >> edge_bits;
       cell = cell << edge_bits | (r & (block_edge - 1));
     }
@@ -119,8 +122,7 @@ void Plan<D>::sort(Particles<D>& particles, Keys& keys) {
   double N[max_nodes_per_axis], dN[max_nodes_per_axis];
   for (std::size_t p = 0; p < n; ++p) {
     std::array<long long, D> base{};
-    for (int a = 0; a < D; ++a)
-      basis_->weights(particles.x[p][a] * inverse, base[static_cast<std::size_t>(a)], N, dN);
+    for (int a = 0; a < D; ++a) basis_->weights(particles.x[p][a] * inverse, base[static_cast<std::size_t>(a)], N, dN);
     key_[p] = keys.pack(base, particles.material[p]);
     order_[p] = static_cast<std::uint32_t>(p);
   }
@@ -209,10 +211,9 @@ std::array<int, 1 << D> neighbours(const std::vector<NodeBlock<D>>& node_blocks,
   for (int o = 0; o < 1 << D; ++o) {
     std::array<long long, D> corner = block.corner;
     for (std::size_t a = 0; a < D; ++a) corner[a] += (o >> a & 1) * block_edge;
-    const auto at = std::lower_bound(node_blocks.begin(), node_blocks.end(), corner,
-                                     [](const NodeBlock<D>& nb, const std::array<long long, D>& c) {
-                                       return lexicographic<D>(nb.corner, c);
-                                     });
+    const auto at = std::lower_bound(
+        node_blocks.begin(), node_blocks.end(), corner,
+        [](const NodeBlock<D>& nb, const std::array<long long, D>& c) { return lexicographic<D>(nb.corner, c); });
     found[static_cast<std::size_t>(o)] = static_cast<int>(at - node_blocks.begin());
   }
   return found;

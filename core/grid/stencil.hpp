@@ -105,7 +105,8 @@ template <int D, int K, int C>
 inline void load_block(const Plan<D>& plan, const Block<D>& block, const double* from, double* local) {
   const std::int32_t* table = plan.node_table(block);
   for (int i = 0; i < Stencil<D, K, C>::nodes; ++i)
-    for (int c = 0; c < C; ++c) local[i * C + c] = table[i] < 0 ? 0.0 : from[static_cast<std::ptrdiff_t>(table[i]) * C + c];
+    for (int c = 0; c < C; ++c)
+      local[i * C + c] = table[i] < 0 ? 0.0 : from[static_cast<std::ptrdiff_t>(table[i]) * C + c];
 }
 
 /// Adds the block's nodes to a node-major vector.

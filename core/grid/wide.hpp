@@ -16,14 +16,18 @@ template <int W>
 using Wide = typename WideOf<W>::type;
 
 /// Sum over the lanes, always in the same order.
-inline double sum_lanes(const Wide<4>& v) { return (v[0] + v[2]) + (v[1] + v[3]); }
+inline double sum_lanes(const Wide<4>& v) {
+  return (v[0] + v[2]) + (v[1] + v[3]);
+}
 inline double sum_lanes(const Wide<8>& v) {
   return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
 }
 
-/// Adds the lane sums of `count` vectors to consecutive numbers, four at a time: transposing while adding takes a third of
-/// the shuffles that single sums take.
-inline Wide<4> halve(const Wide<4>& v) { return v; }
+/// Adds the lane sums of `count` vectors to consecutive numbers, four at a time: transposing while adding takes a third
+/// of the shuffles that single sums take.
+inline Wide<4> halve(const Wide<4>& v) {
+  return v;
+}
 inline Wide<4> halve(const Wide<8>& v) {
   return __builtin_shufflevector(v, v, 0, 1, 2, 3) + __builtin_shufflevector(v, v, 4, 5, 6, 7);
 }

@@ -73,7 +73,8 @@ NewtonResult BackwardEuler<D>::advance(const StepProblem<D>& problem) {
   const Vector& m = problem.mass.lumped();
   const double rounding = 1e-14 * m.maxCoeff();
   for (Eigen::Index i = 0; i < m.size(); ++i)
-    if (m[i] > rounding) flight.segment<D>(i * D) += problem.dt * problem.dt / m[i] * problem.force.template segment<D>(i * D);
+    if (m[i] > rounding)
+      flight.segment<D>(i * D) += problem.dt * problem.dt / m[i] * problem.force.template segment<D>(i * D);
   set.project(flight);
   const double at_rest = potential.value(u), in_flight = potential.value(flight);
   if (in_flight < at_rest || !std::isfinite(at_rest)) u = flight;

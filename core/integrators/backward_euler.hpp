@@ -1,5 +1,5 @@
-// Backward Euler (THEORY T4): x^ minimises E(x^), v^{n+1} = (x^ - x)/dt. First order, never unstable, damps what it cannot
-// resolve: E/E0 = (1 + w^2 dt^2)^-n.
+// Backward Euler (THEORY T4): x^ minimises E(x^), v^{n+1} = (x^ - x)/dt. First order, never unstable, damps what it
+// cannot resolve: E/E0 = (1 + w^2 dt^2)^-n.
 #pragma once
 
 #include "core/integrators/integrator.hpp"

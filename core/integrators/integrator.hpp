@@ -21,9 +21,9 @@ struct StepProblem {
   const Plan<D>& plan;
   const MassMatrix<D>& mass;  ///< the inertia's
   ElasticEnergy<D>& elastic;
-  GrabSpring<D>* grab;        ///< may be null
-  FeasibleSet<D>& set;        ///< constraints and boundaries, displacements over dt; in and out: the friction bounds
-  const Vector& force;        ///< f_ext at the scheme's stage time [N]
+  GrabSpring<D>* grab;  ///< may be null
+  FeasibleSet<D>& set;  ///< constraints and boundaries, displacements over dt; in and out: the friction bounds
+  const Vector& force;  ///< f_ext at the scheme's stage time [N]
   double dt;
   NewtonSettings newton;
   LinearSolver<D>& linear;

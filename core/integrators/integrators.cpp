@@ -14,7 +14,9 @@ constexpr std::array<IntegratorInfo, 2> registry{{
 }};
 }  // namespace
 
-std::span<const IntegratorInfo> integrators() { return registry; }
+std::span<const IntegratorInfo> integrators() {
+  return registry;
+}
 
 template <int D>
 std::unique_ptr<Integrator<D>> make_integrator(std::string_view name) {

@@ -1,5 +1,5 @@
-// Symplectic (explicit) Euler: v^{n+1} = v^n + dt M^-1 f(x^n), x^ = x + dt v^{n+1}. Cheap and without damping, stable only
-// below a dt of about dx/c.
+// Symplectic (explicit) Euler: v^{n+1} = v^n + dt M^-1 f(x^n), x^ = x + dt v^{n+1}. Cheap and without damping, stable
+// only below a dt of about dx/c.
 #pragma once
 
 #include "core/integrators/integrator.hpp"

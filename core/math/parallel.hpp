@@ -33,7 +33,8 @@ class Parallel {
       return;
     }
     using Plain = std::remove_reference_t<Body>;
-    run(pieces, [](void* self, int piece) { (*static_cast<Plain*>(self))(piece); },
+    run(
+        pieces, [](void* self, int piece) { (*static_cast<Plain*>(self))(piece); },
         const_cast<void*>(static_cast<const void*>(&body)));
   }
 
@@ -47,13 +48,15 @@ class Parallel {
   void* self_ = nullptr;
   int pieces_ = 0;
   std::atomic<int> next_{0};
-  std::atomic<int> busy_{0};            ///< helpers that have not finished the current loop
+  std::atomic<int> busy_{0};             ///< helpers that have not finished the current loop
   std::atomic<unsigned> generation_{0};  ///< counts loops: helpers wait for it to change
   std::vector<std::jthread> helpers_;
 };
 
 /// How many entries of a long vector make one piece of a loop over it.
 inline constexpr std::ptrdiff_t vector_piece = 4096;
-inline int vector_pieces(std::ptrdiff_t n) { return static_cast<int>((n + vector_piece - 1) / vector_piece); }
+inline int vector_pieces(std::ptrdiff_t n) {
+  return static_cast<int>((n + vector_piece - 1) / vector_piece);
+}
 
 }  // namespace pf

@@ -6,7 +6,8 @@
 
 namespace pf {
 
-/// Distance functions are thread-safe and outlive the scene; those of inverted boundaries are negative outside the shape.
+/// Distance functions are thread-safe and outlive the scene; those of inverted boundaries are negative outside the
+/// shape.
 SceneView make_scene_view(const Scene& scene);
 
 }  // namespace pf

@@ -15,7 +15,8 @@ void DirectSolver<D>::fill(const LinearProblem<D>& problem) {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(H_.block.size() * D * D);
   for (int row = 0; row < rows; ++row)
-    for (auto k = H_.row_start[static_cast<std::size_t>(row)]; k < H_.row_start[static_cast<std::size_t>(row) + 1]; ++k) {
+    for (auto k = H_.row_start[static_cast<std::size_t>(row)]; k < H_.row_start[static_cast<std::size_t>(row) + 1];
+         ++k) {
       const int column = H_.column[static_cast<std::size_t>(k)];
       Mat<D> B = H_.block[static_cast<std::size_t>(k)];
       if (const Mat<D>* q = Q[static_cast<std::size_t>(row)]) B = (*q * B).eval();

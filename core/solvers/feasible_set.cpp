@@ -10,8 +10,8 @@ namespace {
 /// Nearest point to `target` with n_k . u >= offset_k, moving along `free` only: the few subsets of faces are tried.
 /// `subset` receives the faces that hold with equality and push.
 template <int D>
-Vec<D> nearest(const NodeConstraint<D>& c, const Vec<D>& target, const std::array<double, D>& offset, unsigned candidates,
-               unsigned& subset) {
+Vec<D> nearest(const NodeConstraint<D>& c, const Vec<D>& target, const std::array<double, D>& offset,
+               unsigned candidates, unsigned& subset) {
   Vec<D> best = target;
   double best_distance = std::numeric_limits<double>::infinity();
   subset = 0;
@@ -26,7 +26,8 @@ Vec<D> nearest(const NodeConstraint<D>& c, const Vec<D>& target, const std::arra
     for (int k = 0; k < c.faces && possible; ++k) {
       if (!(s >> k & 1)) continue;
       Vec<D> axis = c.free * c.normal[static_cast<std::size_t>(k)];
-      for (int j = 0; j < count; ++j) axis -= axes[static_cast<std::size_t>(j)].dot(axis) * axes[static_cast<std::size_t>(j)];
+      for (int j = 0; j < count; ++j)
+        axis -= axes[static_cast<std::size_t>(j)].dot(axis) * axes[static_cast<std::size_t>(j)];
       const double length = axis.norm();
       if (length < 1e-9) {
         possible = false;

@@ -1,4 +1,5 @@
-// What the node displacements u may be: fixed components (Dirichlet) and rigid boundaries (THEORY T4, T7), node by node.
+// What the node displacements u may be: fixed components (Dirichlet) and rigid boundaries (THEORY T4, T7), node by
+// node.
 #pragma once
 
 #include <array>
@@ -13,16 +14,16 @@ namespace pf {
 template <int D>
 struct NodeConstraint {
   std::int32_t node = 0;
-  Mat<D> free = Mat<D>::Identity();  ///< projector on the directions that are not fixed
-  Vec<D> given = Vec<D>::Zero();     ///< displacement in the fixed directions (free * given = 0) [m]
-  int faces = 0;                     ///< unilateral: separation is allowed, penetration is not
-  std::array<Vec<D>, D> normal{};    ///< unit, out of the solid
-  std::array<double, D> offset{};    ///< n . (displacement of the wall) [m]
-  Vec<D> wall = Vec<D>::Zero();      ///< displacement of the wall during the step [m]
-  double friction = 0;               ///< Coulomb's coefficient
+  Mat<D> free = Mat<D>::Identity();    ///< projector on the directions that are not fixed
+  Vec<D> given = Vec<D>::Zero();       ///< displacement in the fixed directions (free * given = 0) [m]
+  int faces = 0;                       ///< unilateral: separation is allowed, penetration is not
+  std::array<Vec<D>, D> normal{};      ///< unit, out of the solid
+  std::array<double, D> offset{};      ///< n . (displacement of the wall) [m]
+  Vec<D> wall = Vec<D>::Zero();        ///< displacement of the wall during the step [m]
+  double friction = 0;                 ///< Coulomb's coefficient
   Vec<D> rub_normal = Vec<D>::Zero();  ///< the face that it rubs against
-  double rub_bound = 0;                ///< mu f_n, frozen during a minimisation [N]; starts from a guess, 0 when there is none
-  bool by_constraint = false;        ///< fixed by "constraints", not by a boundary
+  double rub_bound = 0;        ///< mu f_n, frozen during a minimisation [N]; starts from a guess, 0 when there is none
+  bool by_constraint = false;  ///< fixed by "constraints", not by a boundary
 };
 
 /// Tangential slip of a displacement against the wall that a node rubs on.
@@ -41,8 +42,8 @@ class FeasibleSet {
 
   /// The nearest point of the set, node by node.
   void project(Vector& u) const;
-  /// project(), then stops every rubbing node at rest where the way from `from` along -`g` passes through rest: beyond the
-  /// corner the gradient is another one.
+  /// project(), then stops every rubbing node at rest where the way from `from` along -`g` passes through rest: beyond
+  /// the corner the gradient is another one.
   void project_from(const Vector& from, const Vector& g, Vector& u) const;
   /// For each constrained node the projector on the directions that a minimiser may still take at u when the gradient
   /// is g: fixed directions, faces that are touched and pressed on, and the slip of nodes that stick are left out. `g`

@@ -15,7 +15,9 @@ constexpr std::array<LinearSolverInfo, 3> registry{{
 }};
 }  // namespace
 
-std::span<const LinearSolverInfo> linear_solvers() { return registry; }
+std::span<const LinearSolverInfo> linear_solvers() {
+  return registry;
+}
 
 template <int D>
 std::unique_ptr<LinearSolver<D>> make_linear_solver(std::string_view name, Parallel& parallel) {

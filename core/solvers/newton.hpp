@@ -23,9 +23,9 @@ struct NewtonResult {
 };
 
 /// The true Hessian is tried first; where it is not positive definite along the way, it is projected for that iteration
-/// and, since a neighbourhood of indefinite points is seldom left at once, for the rest of the solve until the residual has
-/// fallen by two orders. The step is searched along the projected path P(u + alpha d), E never rises; where differences of
-/// E are lost in rounding the gradient's norm decides instead. On failure u is the best iterate so far.
+/// and, since a neighbourhood of indefinite points is seldom left at once, for the rest of the solve until the residual
+/// has fallen by two orders. The step is searched along the projected path P(u + alpha d), E never rises; where
+/// differences of E are lost in rounding the gradient's norm decides instead. On failure u is the best iterate so far.
 template <int D>
 NewtonResult minimise(Objective<D>& objective, const FeasibleSet<D>& set, LinearSolver<D>& linear,
                       const NewtonSettings& settings, const std::atomic<bool>* cancel, Vector& u);

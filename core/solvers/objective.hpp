@@ -1,4 +1,5 @@
-// What the solvers minimise: a smooth function of a long vector with D components a node. They know no particle and no grid.
+// What the solvers minimise: a smooth function of a long vector with D components a node. They know no particle and no
+// grid.
 #pragma once
 
 #include <vector>

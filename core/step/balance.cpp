@@ -82,9 +82,9 @@ StateCheck check_state(const Particles<D>& particles) {
   return check;
 }
 
-#define PF_INSTANTIATE(D)                                                                                              \
-  template Balance particle_balance<D>(const Particles<D>&, const Laws<D>&, const Plan<D>&, bool, const Vec<D>&);      \
-  template Vec3 grid_angular_momentum<D>(const Plan<D>&, const Vector&, const Vector&);                                \
+#define PF_INSTANTIATE(D)                                                                                         \
+  template Balance particle_balance<D>(const Particles<D>&, const Laws<D>&, const Plan<D>&, bool, const Vec<D>&); \
+  template Vec3 grid_angular_momentum<D>(const Plan<D>&, const Vector&, const Vector&);                           \
   template StateCheck check_state<D>(const Particles<D>&);
 PF_INSTANTIATE(2)
 PF_INSTANTIATE(3)

@@ -49,9 +49,10 @@ void Conditions<D>::constrain(NodeConstraint<D>& c, const Vec<D>& x, const std::
       const auto s = static_cast<std::size_t>(a);
       if (!fixing.fix[s]) continue;
       if (by[s] >= 0 && std::abs(c.given[a] - moved[k][a]) > 1e-12 * (std::abs(c.given[a]) + std::abs(moved[k][a])))
-        throw InputError("", {{"/constraints/" + std::to_string(k), "another velocity for component " + std::to_string(a) +
-                                                                        " than /constraints/" + std::to_string(by[s]),
-                               "one velocity for each component where regions overlap", 0}});
+        throw InputError(
+            "", {{"/constraints/" + std::to_string(k),
+                  "another velocity for component " + std::to_string(a) + " than /constraints/" + std::to_string(by[s]),
+                  "one velocity for each component where regions overlap", 0}});
       by[s] = static_cast<int>(k);
       c.given[a] = moved[k][a];
       c.free(a, a) = 0;

@@ -33,8 +33,8 @@ void KnownMotion<D>::set_initial_state(Particles<D>& particles) const {
 }
 
 template <int D>
-void KnownMotion<D>::add_force(const Plan<D>& plan, const Particles<D>& particles, const Laws<D>& laws, const Scene& scene,
-                               double t, Parallel& parallel, Vector& f) const {
+void KnownMotion<D>::add_force(const Plan<D>& plan, const Particles<D>& particles, const Laws<D>& laws,
+                               const Scene& scene, double t, Parallel& parallel, Vector& f) const {
   const Vec<D> gravity = scene.gravity.head<D>();
   const auto loads_of = [&](std::uint16_t material) {
     return ManufacturedLoads<D>(*motion_, *laws[material], scene.materials[material].density, gravity);

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "core/math/vector_ops.hpp"
 #include "core/scene/scene_io.hpp"
 #include "core/scene/solid.hpp"
-#include "core/math/vector_ops.hpp"
 #include "core/transfers/transfer.hpp"
 
 namespace pf {
@@ -23,8 +23,9 @@ Loads<D>::Loads(const Scene& scene)
           return region->contains(point.position, 1e-9 * scene.grid.spacing);
         });
     if (surface_.X.size() == before)
-      throw InputError("", {{"/loads/" + std::to_string(k) + "/region", "no part of the surface of body \"" + load.body + "\"",
-                             "a region that holds a part of that body's surface at t = 0", 0}});
+      throw InputError(
+          "", {{"/loads/" + std::to_string(k) + "/region", "no part of the surface of body \"" + load.body + "\"",
+                "a region that holds a part of that body's surface at t = 0", 0}});
   }
 }
 

@@ -23,6 +23,7 @@ class Loads {
   /// f_ext of all nodes at stage time t [N].
   Vector force(const Plan<D>& plan, const Particles<D>& particles, const Vector& lumped_mass, double t,
                Parallel& parallel) const;
+
  private:
   Vec<D> gravity_;
   FormulaField<D> body_force_;

@@ -170,11 +170,11 @@ std::string SimulationOf<D>::solver_choice() const {
 template SimulationOf<2>::SimulationOf(const Scene&, const SimulationOptions&);
 template SimulationOf<3>::SimulationOf(const Scene&, const SimulationOptions&);
 
-#define PF_INSTANTIATE(D)                                                  \
-  template void SimulationOf<D>::make_settings();                          \
-  template void SimulationOf<D>::build_plan_or_throw();                    \
-  template bool SimulationOf<D>::apply(const Scene&);                      \
-  template void SimulationOf<D>::set_grab(const std::optional<Grab>&);     \
+#define PF_INSTANTIATE(D)                                              \
+  template void SimulationOf<D>::make_settings();                      \
+  template void SimulationOf<D>::build_plan_or_throw();                \
+  template bool SimulationOf<D>::apply(const Scene&);                  \
+  template void SimulationOf<D>::set_grab(const std::optional<Grab>&); \
   template std::string SimulationOf<D>::solver_choice() const;
 PF_INSTANTIATE(2)
 PF_INSTANTIATE(3)

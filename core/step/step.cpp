@@ -77,13 +77,14 @@ const StepReport& SimulationOf<D>::step(const std::atomic<bool>* cancel) {
     if (retry == most_retries) {
       returned_.status = StepStatus::failed;
       returned_.retries = retry;
-      returned_.failure = attempt.reason + " Even a time step of " + number(dt) +
-                          " s did not help. What may help: a smaller /time/step from the start, more particles a cell, a "
-                          "finer grid, a less extreme material or load.";
+      returned_.failure =
+          attempt.reason + " Even a time step of " + number(dt) +
+          " s did not help. What may help: a smaller /time/step from the start, more particles a cell, a "
+          "finer grid, a less extreme material or load.";
       return returned_;
     }
-    returned_.warnings.push_back("Step " + std::to_string(accepted_.step + 1) + " at t = " + number(time_) + " s: " +
-                                 attempt.reason + " Retried with dt = " + number(dt / 2) + " s.");
+    returned_.warnings.push_back("Step " + std::to_string(accepted_.step + 1) + " at t = " + number(time_) +
+                                 " s: " + attempt.reason + " Retried with dt = " + number(dt / 2) + " s.");
     dt /= 2;
   }
 }
@@ -98,7 +99,8 @@ void SimulationOf<D>::grid_velocity(StepReport& report) {
     double residual = 0;
     M.solve(grid_.momentum, grid_.v, residual);
     if (residual > 1e-8)
-      report.warnings.push_back("The consistent velocity transfer left a relative residual of " + number(residual) + ".");
+      report.warnings.push_back("The consistent velocity transfer left a relative residual of " + number(residual) +
+                                ".");
   }
   work_.p2g += particles_.size();
 }
@@ -106,9 +108,9 @@ void SimulationOf<D>::grid_velocity(StepReport& report) {
 template <int D>
 void SimulationOf<D>::tell_of_blend(const MassMatrix<D>& M, StepReport& report) {
   if (M.blend() > 0 && !told_of_blend_)
-    report.warnings.push_back("The consistent mass matrix is singular (" + std::to_string(particles_.size()) + " particles, " +
-                              std::to_string(plan_.node_count()) + " nodes): blended with " + number(100 * M.blend()) +
-                              " % of the lumped one. More particles a cell avoid this.");
+    report.warnings.push_back("The consistent mass matrix is singular (" + std::to_string(particles_.size()) +
+                              " particles, " + std::to_string(plan_.node_count()) + " nodes): blended with " +
+                              number(100 * M.blend()) + " % of the lumped one. More particles a cell avoid this.");
   told_of_blend_ = M.blend() > 0;
 }
 
@@ -136,7 +138,8 @@ void SimulationOf<D>::choose_solver() {
 }
 
 template <int D>
-typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(double dt, const std::atomic<bool>* cancel, StepReport& report) {
+typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(double dt, const std::atomic<bool>* cancel,
+                                                           StepReport& report) {
   Lap lap;
   work_ = {};
   const double stage = time_ + integrator_->stage() * dt;
@@ -155,8 +158,8 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(double dt, const std:
   linear_->new_step();
   lap(report.ms.assemble);
   const NewtonSettings newton{scene_.solver.newton_tolerance, scene_.solver.max_newton};
-  const NewtonResult solved = integrator_->advance({plan_, M, elastic, spring ? &*spring : nullptr, set, force, dt, newton,
-                                                    *linear_, parallel_, cancel, grid_});
+  const NewtonResult solved = integrator_->advance(
+      {plan_, M, elastic, spring ? &*spring : nullptr, set, force, dt, newton, *linear_, parallel_, cancel, grid_});
   lap(report.ms.linear_solve);
   if (solved.status == NewtonStatus::cancelled) return {Attempt::cancelled, ""};
   // Angular momentum by cause: what the two transfers change, and what the step on the grid does (THEORY T6).
@@ -200,8 +203,8 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(double dt, const std:
 template <int D>
 typename SimulationOf<D>::Attempt SimulationOf<D>::judge(const NewtonResult& newton, double dt, StepReport& report) {
   if (newton.status != NewtonStatus::converged) {
-    const std::string at = " (residual " + number(newton.residual) + ", tolerance " +
-                           number(scene_.solver.newton_tolerance) + ").";
+    const std::string at =
+        " (residual " + number(newton.residual) + ", tolerance " + number(scene_.solver.newton_tolerance) + ").";
     switch (newton.status) {
       case NewtonStatus::not_converged:
         return {Attempt::failed, "Newton's method did not converge within " + std::to_string(scene_.solver.max_newton) +
@@ -221,12 +224,11 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::judge(const NewtonResult& new
   const StateCheck check = check_state(particles_);
   const std::string who = "Particle " + std::to_string(check.worst);
   if (!check.finite) return {Attempt::failed, who + " has a value that is not finite."};
-  if (!(check.min_J > 0))
-    return {Attempt::failed, who + " was turned inside out (J = " + number(check.min_J) + ")."};
+  if (!(check.min_J > 0)) return {Attempt::failed, who + " was turned inside out (J = " + number(check.min_J) + ")."};
   report.cfl = check.max_speed * dt / scene_.grid.spacing;
   if (report.cfl > runaway_cells)
-    return {Attempt::failed, "A particle runs away: " + number(check.max_speed) + " m/s, " + number(report.cfl) +
-                                 " cells in one step."};
+    return {Attempt::failed,
+            "A particle runs away: " + number(check.max_speed) + " m/s, " + number(report.cfl) + " cells in one step."};
   if (!plan_.can_index(particles_)) return {Attempt::failed, "Particles are too far apart for a grid to be laid."};
   return {};
 }

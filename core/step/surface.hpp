@@ -29,8 +29,9 @@ struct SurfacePoints {
       tag.push_back(whose);
     }
   }
-  /// f_i += sum_s N_i(x_s) traction_s A_s. Where a point lies beside empty cells its shape functions are restricted to the
-  /// active nodes and renormalised: the force is kept, its moment about the point becomes that of the nodes' centre.
+  /// f_i += sum_s N_i(x_s) traction_s A_s. Where a point lies beside empty cells its shape functions are restricted to
+  /// the active nodes and renormalised: the force is kept, its moment about the point becomes that of the nodes'
+  /// centre.
   void spread(const Plan<D>& plan, const std::vector<Vec<D>>& traction, Vector& f) const;
   /// x_s += sum_i u_i N_i(x_s).
   void move(const Plan<D>& plan, const Vector& u);

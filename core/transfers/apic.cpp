@@ -24,13 +24,15 @@ void ApicTransfer<D>::grid_to_particles(const Plan<D>& plan, const GridState<D>&
         if (by_moments) {
           int node = batch.node;
           for (int a = 0; a < D; ++a) {
-            const double first = static_cast<double>(block.corner[static_cast<std::size_t>(a)] + node % S::edge) * plan.spacing();
+            const double first =
+                static_cast<double>(block.corner[static_cast<std::size_t>(a)] + node % S::edge) * plan.spacing();
             node /= S::edge;
             Lane inertia{};
             for (int r = 0; r < K; ++r) {
               Lane distance{};
               for (int lane = 0; lane < batch.count; ++lane)
-                distance[lane] = first + r * plan.spacing() - particles.x[static_cast<std::size_t>(batch.first + lane)][a];
+                distance[lane] =
+                    first + r * plan.spacing() - particles.x[static_cast<std::size_t>(batch.first + lane)][a];
               slopes[a * K + r] = w[a * K + r] * distance;
               inertia += slopes[a * K + r] * distance;
             }

@@ -1,4 +1,5 @@
-// APIC (Jiang et al. 2015; THEORY T5): particles carry an affine velocity, so that a lumped transfer keeps angular momentum.
+// APIC (Jiang et al. 2015; THEORY T5): particles carry an affine velocity, so that a lumped transfer keeps angular
+// momentum.
 #pragma once
 
 #include "core/transfers/transfer.hpp"

@@ -8,7 +8,9 @@ namespace pf {
 
 namespace {
 
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+std::size_t at(std::int32_t i) {
+  return static_cast<std::size_t>(i);
+}
 
 /// N (x_i - x_p) of each axis, the weights that carry an affine velocity; a lane a particle.
 template <int D, int K>
@@ -85,7 +87,8 @@ void fill_massless(const Plan<D>& plan, const Particles<D>& particles, const std
     for (int i = block.batch_begin; i < block.batch_end; ++i) {
       const Batch& batch = plan.batches()[at(i)];
       for (int n = 0; n < (D == 2 ? K * K : K * K * K); ++n) {
-        const std::int32_t node = plan.node_table(block)[batch.node + n % K + edge * (n / K % K + edge * (n / (K * K)))];
+        const std::int32_t node =
+            plan.node_table(block)[batch.node + n % K + edge * (n / K % K + edge * (n / (K * K)))];
         if (!massless[at(node)]) continue;
         for (int lane = 0; lane < batch.count; ++lane) {
           v.segment<D>(node * D) += particles.v[at(batch.first + lane)];
@@ -201,12 +204,12 @@ Vec<D> affine_inertia(const BasisInfo& basis, double spacing, const Vec<D>& x) {
   return inertia * spacing * spacing;
 }
 
-#define PF_INSTANTIATE(D)                                                                                                  \
-  template void particles_to_grid<D>(const Plan<D>&, const Particles<D>&, bool, Parallel&, GridState<D>&);                 \
-  template void lumped_velocity<D>(const Plan<D>&, const Particles<D>&, GridState<D>&);                                    \
-  template void gather_field<D>(const Plan<D>&, const Vector&, Parallel&, std::vector<Vec<D>>&);                           \
-  template void scatter_field<D>(const Plan<D>&, const std::vector<Vec<D>>&, Parallel&, Vector&);                         \
-  template void move_particles<D>(const Plan<D>&, const Vector&, Parallel&, Particles<D>&);                                \
+#define PF_INSTANTIATE(D)                                                                                  \
+  template void particles_to_grid<D>(const Plan<D>&, const Particles<D>&, bool, Parallel&, GridState<D>&); \
+  template void lumped_velocity<D>(const Plan<D>&, const Particles<D>&, GridState<D>&);                    \
+  template void gather_field<D>(const Plan<D>&, const Vector&, Parallel&, std::vector<Vec<D>>&);           \
+  template void scatter_field<D>(const Plan<D>&, const std::vector<Vec<D>>&, Parallel&, Vector&);          \
+  template void move_particles<D>(const Plan<D>&, const Vector&, Parallel&, Particles<D>&);                \
   template Vec<D> affine_inertia<D>(const BasisInfo&, double, const Vec<D>&);
 PF_INSTANTIATE(2)
 PF_INSTANTIATE(3)

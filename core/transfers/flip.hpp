@@ -1,6 +1,6 @@
 // PIC, FLIP and their blend (THEORY T5): v_p = sum_j v_j^{n+1} N_j + a (v_p^n - sum_j v_j^n N_j), a = flip ratio.
-// PIC (a = 0) filters the velocity at every step and loses angular momentum; FLIP (a = 1) keeps what the grid cannot see,
-// noise included.
+// PIC (a = 0) filters the velocity at every step and loses angular momentum; FLIP (a = 1) keeps what the grid cannot
+// see, noise included.
 #pragma once
 
 #include "core/transfers/transfer.hpp"

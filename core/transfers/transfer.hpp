@@ -1,5 +1,5 @@
-// Particles <-> grid (THEORY T3, T5). The position and F updates are the same for all; a transfer decides what the grid's
-// velocity does to the particles' and back.
+// Particles <-> grid (THEORY T3, T5). The position and F updates are the same for all; a transfer decides what the
+// grid's velocity does to the particles' and back.
 #pragma once
 
 #include <memory>
@@ -34,7 +34,8 @@ class Transfer {
 
 /// m_i and momentum; nodes that receive no mass get the mean velocity of the particles around them in `v` later.
 template <int D>
-void particles_to_grid(const Plan<D>& plan, const Particles<D>& particles, bool affine, Parallel& parallel, GridState<D>& grid);
+void particles_to_grid(const Plan<D>& plan, const Particles<D>& particles, bool affine, Parallel& parallel,
+                       GridState<D>& grid);
 /// v_i = momentum / m_i; where m_i is nothing but rounding, the mean of the particles that the node's gradient sees.
 template <int D>
 void lumped_velocity(const Plan<D>& plan, const Particles<D>& particles, GridState<D>& grid);

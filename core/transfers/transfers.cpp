@@ -10,12 +10,15 @@ namespace pf {
 namespace {
 constexpr std::array<TransferInfo, 3> registry{{
     {"pic", "PIC", "Velocity from the grid alone: damps motion and rotation; a smaller dt makes it worse."},
-    {"flip", "FLIP and blend", "Particles keep their velocity and add the grid's change; a little PIC calms the noise."},
+    {"flip", "FLIP and blend",
+     "Particles keep their velocity and add the grid's change; a little PIC calms the noise."},
     {"apic", "APIC", "Affine velocities: angular momentum is kept and noise stays low. Jiang et al. 2015."},
 }};
 }  // namespace
 
-std::span<const TransferInfo> transfers() { return registry; }
+std::span<const TransferInfo> transfers() {
+  return registry;
+}
 
 template <int D>
 std::unique_ptr<Transfer<D>> make_transfer(std::string_view name, double flip_ratio) {

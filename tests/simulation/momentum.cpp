@@ -13,13 +13,14 @@ namespace {
 /// A block of rubber in free flight, turning.
 Scene flying_block(int dimension, std::string_view basis, std::string_view transfer) {
   const std::string z = dimension == 3 ? ", 0.1" : "", Z = dimension == 3 ? ", 0.5" : "";
-  const std::string text =
-      R"({"dimension": )" + std::to_string(dimension) + R"(, "grid": {"spacing": 0.1, "basis": ")" + std::string(basis) +
-      R"("}, "time": {"end": 0.1, "step": 0.01}, "transfer": {"type": ")" + std::string(transfer) + R"("},
+  const std::string text = R"({"dimension": )" + std::to_string(dimension) +
+                           R"(, "grid": {"spacing": 0.1, "basis": ")" + std::string(basis) +
+                           R"("}, "time": {"end": 0.1, "step": 0.01}, "transfer": {"type": ")" + std::string(transfer) +
+                           R"("},
       "materials": {"rubber": {"model": "neo_hookean", "density": 1000, "young": 1e5, "poisson": 0.3}},
       "bodies": [{"name": "block", "material": "rubber", "velocity": ["1 - 2*Y", "0.5 + 2*X")" +
-      (dimension == 3 ? R"(, "0.3")" : "") + R"(], "shape": {"type": "box", "min": [0.1, 0.2)" + z +
-      R"(], "max": [0.5, 0.6)" + Z + "]}}]}";
+                           (dimension == 3 ? R"(, "0.3")" : "") + R"(], "shape": {"type": "box", "min": [0.1, 0.2)" +
+                           z + R"(], "max": [0.5, 0.6)" + Z + "]}}]}";
   return parse_scene(text, "flying block");
 }
 
