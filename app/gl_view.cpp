@@ -1,5 +1,6 @@
 #include "app/gl_view.hpp"
 
+#include <epoxy/gl.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -8,7 +9,6 @@
 #include "app/imgui_painter.hpp"
 #include "app/theme.hpp"
 #include "core/charts/png_painter.hpp"
-#include "render/offscreen.hpp"
 #include "render/overlay.hpp"
 
 namespace pf::app {
@@ -80,9 +80,7 @@ ViewMargins GlView::margins() const {
           std::min(scale * m.bottom, highest)};
 }
 
-void GlView::draw(const AppContext& context) {
-  if (!context.snapshot || where_.empty()) return;
-  const Snapshot& snapshot = *context.snapshot;
+void GlView::follow_camera(const Snapshot& snapshot) {
   const bool other_kind = snapshot.dimension != dimension_;
   if (fit_wanted_ || other_kind) {
     fitted_ = scene_bounds(snapshot);
@@ -91,13 +89,30 @@ void GlView::draw(const AppContext& context) {
     follow_size_ = true;
     camera_ = fitted_camera(dimension_, fitted_, size_, margins());
   } else if (follow_size_) {
-    // The angles of an orbit are the user's even where the distance still follows the window.
     std::visit([&](auto& camera) { camera.fit(fitted_, size_, margins()); }, camera_);
   }
-  const auto lround = [](float v) { return static_cast<int>(std::lround(v)); };
-  const Viewport viewport{lround(where_.x * pixels_per_unit_),
-                          lround(framebuffer_height_ - where_.bottom() * pixels_per_unit_), size_};
-  renderer_.draw(snapshot, render_options(context, pixels_per_unit_ * overlay_scale()), camera_, viewport);
+}
+
+void GlView::draw(const AppContext& context) {
+  if (!context.snapshot || where_.empty()) return;
+  follow_camera(*context.snapshot);
+  if (!target_ || target_->size() != size_) {
+    target_.emplace(size_);
+    shown_.reset();
+  }
+  const Shown wanted{context.snapshot, render_options(context, pixels_per_unit_ * overlay_scale()), camera_};
+  const bool anew = shown_ != wanted;
+  GLint window = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &window);
+  if (anew) {
+    target_->bind();
+    renderer_.draw(*wanted.snapshot, wanted.options, camera_, {0, 0, size_});
+    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(window));
+    shown_ = wanted;
+  }
+  const auto whole = [](float v) { return static_cast<int>(std::lround(v)); };
+  target_->copy_to(whole(where_.x * pixels_per_unit_), whole(framebuffer_height_ - where_.bottom() * pixels_per_unit_),
+                   anew);
 }
 
 std::optional<Point2> GlView::to_window(const Vec3& point) const {
@@ -139,6 +154,7 @@ ViewMouse GlView::mouse_now(const AppContext& context, bool pick) const {
 void GlView::begin_run(AppContext& context) {
   cancel_tool(context);
   renderer_.forget_range();
+  shown_.reset();
 }
 
 void GlView::cancel_tool(AppContext& context) {
@@ -224,7 +240,8 @@ void GlView::draw_overlay(AppContext& context, ImDrawList& list) {
   const RenderOptions options = render_options(context, pixels_per_unit_ * overlay_scale());
   const float scale = overlay_scale();
   ImGuiPainter scaled(list, scale);
-  const OverlayInfo info = OverlayInfo::of(*context.snapshot, renderer_, options, camera_, size_);
+  OverlayInfo info = OverlayInfo::of(*context.snapshot, renderer_, options, camera_, size_);
+  info.clock = context.view.hide_panels;  // else the bar below has it
   pf::draw_overlay(info, options.theme, scaled, {where_.x / scale, where_.y / scale},
                    {where_.right() / scale, where_.bottom() / scale});
   draw_tool(context, list);

@@ -10,6 +10,7 @@
 #include "app/tools/tool.hpp"
 #include "core/charts/image.hpp"
 #include "render/camera.hpp"
+#include "render/offscreen.hpp"
 #include "render/renderer.hpp"
 
 struct ImDrawList;
@@ -25,7 +26,8 @@ class GlView {
 
   /// Where the view is. `pixels_per_unit`: framebuffer pixels per unit of `where`.
   void place(const Rect& where, float pixels_per_unit, float framebuffer_height);
-  /// Draws into the framebuffer; before ImGui draws over it.
+  /// Draws into the framebuffer, or copies the last picture to it where nothing changed: a menu that opens over a
+  /// large scene need not draw it again. Before ImGui draws over it.
   void draw(const AppContext& context);
   /// Inside of ImGui's frame: camera and tools.
   void handle_mouse(AppContext& context);
@@ -40,6 +42,8 @@ class GlView {
   /// Another run begins: the colour range starts anew, the tool lets go.
   void begin_run(AppContext& context);
   void cancel_tool(AppContext& context);
+  /// Drawn by the processor, not by a graphics card.
+  bool software() const { return renderer_.software(); }
   bool tool_holds() const { return held_; }
   const Camera& camera() const { return camera_; }
   const Rect& place() const { return where_; }
@@ -59,7 +63,18 @@ class GlView {
   void handle_camera();
   void handle_wheel(AppContext& context, float notches);
 
+  /// All that a picture depends on; a snapshot never changes.
+  struct Shown {
+    std::shared_ptr<const Snapshot> snapshot;
+    RenderOptions options;
+    Camera camera;
+    bool operator==(const Shown&) const = default;
+  };
+  void follow_camera(const Snapshot& snapshot);
+
   Renderer renderer_;
+  std::optional<OffscreenTarget> target_;
+  std::optional<Shown> shown_;
   Camera camera_ = Camera2D{};
   std::vector<std::unique_ptr<Tool>> tools_;
   std::size_t tool_ = 0;

@@ -91,7 +91,7 @@ void GlfwWindow::create(const std::string& title, WindowSize size, bool visible)
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
   glfwWindowHint(GLFW_VISIBLE, visible ? GLFW_TRUE : GLFW_FALSE);
   glfwWindowHint(GLFW_MAXIMIZED, visible && size.maximized ? GLFW_TRUE : GLFW_FALSE);
-  glfwWindowHint(GLFW_SAMPLES, 4);
+  glfwWindowHint(GLFW_SAMPLES, 0);  // the view smooths its own picture, ImGui its own lines
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "pushforward");
   glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "pushforward");
   window_ = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);

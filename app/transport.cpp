@@ -66,6 +66,15 @@ std::string hint(const KeyBinding& b) {
   return std::string(b.label) + " (" + b.shortcut + ")";
 }
 
+/// As many as tell each step from the next: 2 for 0.01 s, 3 for 1/60 s.
+int clock_decimals(double dt) {
+  for (int n = 0; n < 6; ++n) {
+    const double last_places = dt * std::pow(10.0, n);
+    if (last_places >= 10 || (last_places > 0.5 && std::abs(last_places - std::round(last_places)) < 1e-6)) return n;
+  }
+  return 6;
+}
+
 /// "0.98× real time", "1/51 of real time".
 std::string rate_text(double rate) {
   char text[48];
@@ -134,38 +143,54 @@ void Workbench::draw_playback_choices() {
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("What happens at t = %g s", context_.scene.time.end);
 }
 
+void Workbench::draw_clock() {
+  const SessionStatus& s = context_.status;
+  char text[48];
+  std::snprintf(text, sizeof text, "%.*f s", clock_decimals(context_.scene.time.step), s.time);
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushFont(bold_font());
+  ImGui::TextUnformatted(text);
+  ImGui::PopFont();
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("Simulated time, of %g s", context_.scene.time.end);
+  ImGui::SameLine();
+}
+
 void Workbench::draw_transport_status(float right_edge) {
   const SessionStatus& s = context_.status;
+  const float em = ImGui::GetFontSize();
+  draw_clock();
   char text[96];
-  std::string left, right;
+  std::snprintf(text, sizeof text, "step %ld", s.step);
+  std::string left = text, right;
+  bool notable = true;
   if (s.state == RunState::loading) {
-    left = "Loading…";
+    left = "loading…";
+  } else if (s.edit.applies_at_step >= 0 && s.step_in_flight) {
+    left += " – change applies at step " + std::to_string(s.edit.applies_at_step);
+  } else if (s.edit.needs_reset) {
+    left += " – some changes need a reset (R)";
   } else {
-    std::snprintf(text, sizeof text, "Step %ld", s.step);
-    left = text;
-    if (s.edit.applies_at_step >= 0 && s.step_in_flight)
-      left += "   change applies at step " + std::to_string(s.edit.applies_at_step);
-    else if (s.edit.needs_reset)
-      left += "   some changes need a reset (R)";
-    else if (s.state == RunState::finished)
-      left += "   end reached";
+    notable = false;
+    if (s.state == RunState::finished) left += " – end reached";
   }
   if (s.step_ms > 0) {
     std::snprintf(text, sizeof text, s.step_ms < 10 ? "%.1f ms a step" : "%.0f ms a step", s.step_ms);
     right = text;
     if (s.state == RunState::running && s.achieved_rate > 0) right = rate_text(s.achieved_rate) + "   " + right;
   }
-  const float start = ImGui::GetCursorPosX(), em = ImGui::GetFontSize();
-  ImGui::AlignTextToFramePadding();
-  if (s.edit.needs_reset || s.edit.applies_at_step >= 0)
-    ImGui::TextUnformatted(left.c_str());
-  else
-    ImGui::TextDisabled("%s", left.c_str());
+  const float start = ImGui::GetCursorPosX();
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(notable ? ImGuiCol_Text : ImGuiCol_TextDisabled));
+  ImGui::TextUnformatted(left.c_str());
+  ImGui::PopStyleColor();
   const float left_end = start + ImGui::CalcTextSize(left.c_str()).x;
-  const float right_start = right_edge - ImGui::CalcTextSize(right.c_str()).x;
-  if (right.empty() || right_start < left_end + em) return;  // the step says more than the speed
-  ImGui::SameLine(right_start);
-  ImGui::TextDisabled("%s", right.c_str());
+  // The step says more than the speed: that goes where both do not fit, its second part first.
+  for (const std::string& shown : {right, right.substr(0, right.find("   "))}) {
+    const float right_start = right_edge - ImGui::CalcTextSize(shown.c_str()).x;
+    if (shown.empty() || right_start < left_end + em) continue;
+    ImGui::SameLine(right_start);
+    ImGui::TextDisabled("%s", shown.c_str());
+    break;
+  }
 }
 
 }  // namespace pf::app

@@ -1,7 +1,5 @@
 #include "app/window.hpp"
 
-#include <cstdio>
-
 #include "app/workbench.hpp"
 
 namespace pf::app {
@@ -15,7 +13,7 @@ std::string display_problem() {
   }
 }
 
-int open_window(const Scene& scene, const std::filesystem::path& file, const WindowOptions& options) {
+std::string open_window(const Scene& scene, const std::filesystem::path& file, const WindowOptions& options) {
   Workbench::Setup setup;
   setup.threads = options.threads;
   setup.run = options.run;
@@ -24,10 +22,9 @@ int open_window(const Scene& scene, const std::filesystem::path& file, const Win
     Workbench workbench(scene, file, setup);
     while (workbench.frame()) {
     }
-    return 0;
+    return {};
   } catch (const DisplayError& error) {
-    std::fprintf(stderr, "pushforward: %s\n", error.what());
-    return 4;
+    return error.what();
   }
 }
 

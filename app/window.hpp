@@ -14,12 +14,12 @@ struct WindowOptions {
   bool loop = false;  ///< begin again at time.end (the welcome scene); else pause there
 };
 
-/// Empty when a window can be opened here, else why not, in the user's words ("no display: DISPLAY is not set").
-/// Opens and closes a hidden window to know, so that a display without OpenGL 3.3 counts as none.
-std::string display_problem();
+/// Shows `scene`, which came from `file` (empty: never saved), until the user closes the window. Returns nothing
+/// then, or at once why no window can be opened here, in the user's words ("X11: The DISPLAY environment variable is
+/// missing"): a display without OpenGL 3.3 counts as none.
+std::string open_window(const Scene& scene, const std::filesystem::path& file, const WindowOptions& options = {});
 
-/// Shows `scene`, which came from `file` (empty: never saved). Returns the exit status once the window is closed:
-/// 0, or 4 when no window could be opened.
-int open_window(const Scene& scene, const std::filesystem::path& file, const WindowOptions& options = {});
+/// Opens and closes a hidden window: empty when that can be done, else why not.
+std::string display_problem();
 
 }  // namespace pf::app

@@ -146,6 +146,21 @@ void OffscreenTarget::bind() {
   glViewport(0, 0, impl_->size.width, impl_->size.height);
 }
 
+void OffscreenTarget::copy_to(int x, int y, bool drawn_anew) {
+  const auto [w, h] = impl_->size;
+  const gl::TargetGuard guard;
+  GLint shown = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &shown);
+  if (drawn_anew) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, impl_->draw.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, impl_->resolved.name());
+    glBlitFramebuffer(0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, impl_->resolved.name());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(shown));
+  glBlitFramebuffer(0, 0, w, h, x, y, x + w, y + h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
 Image OffscreenTarget::read() {
   const auto [w, h] = impl_->size;
   const gl::TargetGuard guard;

@@ -34,6 +34,9 @@ class OffscreenTarget {
 
   ViewSize size() const;
   void bind();
+  /// Copies what was drawn to the framebuffer that is bound for drawing (of one sample a pixel), its lower left corner
+  /// to x, y. `drawn_anew`: since the last copy.
+  void copy_to(int x, int y, bool drawn_anew);
   Image read();
 
  private:

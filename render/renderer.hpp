@@ -29,6 +29,7 @@ struct RenderOptions {
   std::optional<std::uint32_t> selected;  ///< id of a particle
   float pixel_scale = 1;                  ///< framebuffer pixels per layout pixel: scales line widths and dots
   RenderTheme theme = RenderTheme::dark();
+  bool operator==(const RenderOptions&) const = default;
 };
 
 /// Lower left corner and size, in framebuffer pixels, as glViewport takes them.

@@ -13,8 +13,8 @@ int open_app(const std::string& scene, const std::vector<std::string>& sets) {
   const std::filesystem::path file = find_scene(scene.empty() ? welcome : scene);
   const std::vector<Edit> edits = parse_sets(sets);
   const Scene checked = load_scene(file, edits);
-  const std::string problem = display_problem();
-  if (problem.empty()) return open_window(checked, file, {.loop = scene.empty()});
+  const std::string problem = open_window(checked, file, {.loop = scene.empty()});
+  if (problem.empty()) return exit_done;
   std::fprintf(stderr, "No window can be opened: %s.\n", problem.c_str());
   if (!scene.empty()) {
     std::fprintf(stderr, "To run it without one: pushforward run %s --images --out DIR\n", scene.c_str());
