@@ -2,26 +2,46 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
+#include <type_traits>
 
 #include "core/math/expression_program.hpp"
 
 namespace pf {
 namespace {
 
-constexpr std::size_t small_stack = 8;   ///< slots: enough for nearly every expression that people type
-constexpr std::size_t batch_stack = 16;  ///< slots of a batch; deeper programs run value by value
+constexpr std::size_t batch_slots = 24;  ///< of a batch; a program that needs more runs value by value
 constexpr std::size_t batch_width = 64;  ///< values that one instruction handles
 
-template <std::size_t Slots, class T>
+/// Room for the saved values and the stack above them; none is made before it is needed.
+template <class T>
+union Slots {
+  Slots() {}
+  ~Slots() {}
+  T at[max_saved + max_stack];
+};
+
+template <class T>
 T run(const Program& program, std::span<const T> variables) {
-  std::array<T, Slots> stack;
-  T* end = stack.data();  // of the values on the stack
+  static_assert(std::is_trivially_destructible_v<T>);
+  Slots<T> slots;
+  T* const kept = slots.at;
+  T* end = slots.at + program.saved;  // of the stack
   for (const Instruction& instruction : program.code) {
     switch (operands(instruction.op)) {
-      case 0:
-        *end++ = instruction.op == Op::constant ? T(instruction.value)
-                                                : variables[static_cast<std::size_t>(instruction.index)];
+      case 0: {
+        const auto index = static_cast<std::size_t>(instruction.index);
+        if (instruction.op == Op::constant) {
+          std::construct_at(end++, instruction.value);
+        } else if (instruction.op == Op::variable) {
+          std::construct_at(end++, variables[index]);
+        } else if (instruction.op == Op::load) {
+          std::construct_at(end++, kept[index]);
+        } else {
+          std::construct_at(kept + index, end[-1]);
+        }
         break;
+      }
       case 1:
         end[-1] = apply(instruction, end[-1]);
         break;
@@ -37,19 +57,14 @@ T run(const Program& program, std::span<const T> variables) {
   return end[-1];
 }
 
-template <class T>
-T run(const Program& program, std::span<const T> variables) {
-  if (program.stack <= small_stack) return run<small_stack>(program, variables);
-  return run<max_stack>(program, variables);
-}
-
 using Row = std::array<double, batch_width>;
 
 /// At most batch_width values from number `begin` on. A variable of one value is the same for all.
 void run_batch(const Program& program, const Expression::Columns& variables, std::size_t begin,
                std::span<double> result) {
-  std::array<Row, batch_stack> stack;
-  Row* end = stack.data();
+  std::array<Row, batch_slots> slots;
+  Row* const kept = slots.data();
+  Row* end = kept + program.saved;  // of the stack
   const std::size_t n = result.size();
   for (const Instruction& instruction : program.code) {
     if (instruction.op == Op::constant) {
@@ -62,6 +77,10 @@ void run_batch(const Program& program, const Expression::Columns& variables, std
       } else {
         std::copy_n(column.begin() + static_cast<std::ptrdiff_t>(begin), n, row.begin());
       }
+    } else if (instruction.op == Op::load) {
+      *end++ = kept[instruction.index];
+    } else if (instruction.op == Op::save) {
+      kept[instruction.index] = end[-1];
     } else if (operands(instruction.op) == 1) {
       with_unary(instruction, [&a = end[-1], n](auto f) {
         for (std::size_t i = 0; i < n; ++i) a[i] = f(a[i]);
@@ -84,7 +103,11 @@ void run_batch(const Program& program, const Expression::Columns& variables, std
 Expression::Expression() : Expression(0.0) {}
 
 Expression::Expression(double value)
-    : program_(std::make_shared<const Program>(Program{{{Op::constant, 0, value}}, 1, 0})) {}
+    : program_([value] {
+        auto program = std::make_shared<Program>();
+        program->add({Op::constant, 0, value});
+        return program;
+      }()) {}
 
 bool Expression::is_constant() const {
   return program_->code.size() == 1 && program_->code[0].op == Op::constant;
@@ -107,7 +130,7 @@ void Expression::evaluate(const Columns& variables, std::span<double> result) co
     std::ranges::fill(result, program_->code[0].value);
     return;
   }
-  if (program_->stack <= batch_stack) {
+  if (program_->saved + program_->stack <= batch_slots) {
     for (std::size_t begin = 0; begin < result.size(); begin += batch_width)
       run_batch(*program_, variables, begin, result.subspan(begin, std::min(batch_width, result.size() - begin)));
     return;

@@ -37,9 +37,6 @@ using VariableMask = unsigned;  ///< bit v set: variable v is allowed
 inline constexpr VariableMask mask_none = 0, mask_reference = 0b0000111, mask_time = 0b1000000,
                               mask_reference_time = 0b1000111, mask_all = 0b1111111;
 
-/// A name that may be given to a constant: letters, digits and _, and none of the language's own names.
-bool is_constant_name(std::string_view name);
-
 struct Program;
 
 /// Immutable; copies share the program; evaluation is thread-safe and allocates nothing.

@@ -54,12 +54,4 @@ std::string variable_list(VariableMask allowed) {
   return list.empty() ? "none" : list;
 }
 
-bool is_constant_name(std::string_view name) {
-  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
-  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
-  if (name.empty() || !letter(name[0]) || name == "pi" || find_expression_function(name)) return false;
-  if (std::ranges::find(all_variables, name) != std::end(all_variables)) return false;
-  return std::ranges::all_of(name, [&](char c) { return letter(c) || digit(c); });
-}
-
 }  // namespace pf

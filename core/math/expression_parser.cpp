@@ -1,9 +1,9 @@
-// Text -> postfix program, by precedence climbing, constants folded as they appear.
-#include <cmath>
-#include <limits>
+// Text -> graph, by precedence climbing.
 #include <numbers>
+#include <utility>
 
 #include "core/math/expression.hpp"
+#include "core/math/expression_graph.hpp"
 #include "core/math/expression_lexer.hpp"
 #include "core/math/expression_names.hpp"
 #include "core/math/expression_program.hpp"
@@ -42,65 +42,6 @@ const BinaryOperator* binary_operator(const Token& token) {
   return nullptr;
 }
 
-/// Appends instructions; an operation on constants becomes a constant at once. In postfix the last operand is
-/// the last instruction when that is a constant, so folding needs to look no further.
-class Emitter {
- public:
-  void constant(double value) { code_.push_back({Op::constant, 0, value}); }
-  void variable(int v) { code_.push_back({Op::variable, v}); }
-
-  void unary(Op op, int index = 0) {
-    const Instruction instruction{op, index};
-    if (constant_at(1)) {
-      code_.back().value = apply(instruction, code_.back().value);
-    } else {
-      code_.push_back(instruction);
-    }
-  }
-
-  void binary(Op op) {
-    if (constant_at(1) && constant_at(2)) {
-      const double b = code_.back().value;
-      code_.pop_back();
-      code_.back().value = apply(op, code_.back().value, b);
-    } else if (op == Op::power && constant_at(1) && is_small_integer(code_.back().value)) {
-      const int exponent = static_cast<int>(code_.back().value);
-      code_.pop_back();
-      code_.push_back({Op::power_integer, exponent});
-    } else {
-      code_.push_back({op});
-    }
-  }
-
-  std::size_t size() const { return code_.size(); }
-
-  /// The code holds, from `condition` on, the three operands of ?: of which the later begin at `yes`, `no`.
-  void select(std::size_t condition, std::size_t yes, std::size_t no) {
-    const auto at = [&](std::size_t k) { return code_.begin() + static_cast<std::ptrdiff_t>(k); };
-    if (yes - condition == 1 && code_[condition].op == Op::constant) {
-      const bool taken = truth(code_[condition].value);
-      if (taken) {
-        code_.erase(at(no), code_.end());
-      } else {
-        code_.erase(at(yes), at(no));
-      }
-      code_.erase(at(condition));
-    } else {
-      code_.push_back({Op::select});
-    }
-  }
-
-  std::vector<Instruction> take() { return std::move(code_); }
-
- private:
-  bool constant_at(std::size_t from_end) const {
-    return code_.size() >= from_end && code_[code_.size() - from_end].op == Op::constant;
-  }
-  static bool is_small_integer(double v) { return std::abs(v) <= 64 && v == std::trunc(v); }
-
-  std::vector<Instruction> code_;
-};
-
 class Parser {
  public:
   Parser(std::string_view text, const Constants& constants, VariableMask allowed)
@@ -108,14 +49,16 @@ class Parser {
     advance();
   }
 
-  std::vector<Instruction> parse() {
+  Program parse() {
     if (token_.kind == Token::Kind::end) fail("the expression is empty");
-    ternary();
+    const Id root = ternary();
     if (token_.kind != Token::Kind::end) unexpected("an operator");
-    return emit_.take();
+    return graph_.program(root);
   }
 
  private:
+  using Id = ExpressionGraph::Id;
+
   /// Counts nesting for as long as it lives, so that hostile text cannot exhaust the stack.
   class Level {
    public:
@@ -146,23 +89,19 @@ class Parser {
     advance();
   }
 
-  void ternary() {
+  Id ternary() {
     const Level level(*this);
-    const std::size_t condition = emit_.size();
-    binary(lowest);
-    if (!token_.is("?")) return;
+    const Id condition = binary(lowest);
+    if (!token_.is("?")) return condition;
     advance();
-    const std::size_t yes = emit_.size();
-    ternary();
+    const Id yes = ternary();
     expect(":");
-    const std::size_t no = emit_.size();
-    ternary();
-    emit_.select(condition, yes, no);
+    return graph_.select(condition, yes, ternary());
   }
 
   /// Operators of at least `precedence`; all of them group from the left.
-  void binary(int precedence) {
-    unary();
+  Id binary(int precedence) {
+    Id left = unary();
     const BinaryOperator* last = nullptr;
     for (const BinaryOperator* found = binary_operator(token_); found && found->precedence >= precedence;
          found = binary_operator(token_)) {
@@ -170,67 +109,66 @@ class Parser {
         fail("comparisons do not chain; write a " + std::string(last->symbol) + " b && b " +
              std::string(found->symbol) + " c");
       advance();
-      binary(found->precedence + 1);
-      emit_.binary(found->op);
+      left = graph_.binary(found->op, left, binary(found->precedence + 1));
       last = found;
     }
+    return left;
   }
 
-  void unary() {
-    const bool negate = token_.is("-"), invert = token_.is("!");
-    if (negate || invert || token_.is("+")) {
+  Id unary() {
+    for (const auto& [symbol, op] : {std::pair{"-", Op::negate}, std::pair{"!", Op::logical_not}}) {
+      if (!token_.is(symbol)) continue;
       advance();
-      deeper_unary();
-      if (negate) emit_.unary(Op::negate);
-      if (invert) emit_.unary(Op::logical_not);
-      return;
+      return graph_.unary(op, deeper_unary());
     }
-    primary();
-    if (!token_.is("^")) return;
+    if (token_.is("+")) {
+      advance();
+      return deeper_unary();
+    }
+    const Id base = primary();
+    if (!token_.is("^")) return base;
     advance();
-    deeper_unary();  // groups from the right: a^b^c = a^(b^c), and a^-b
-    emit_.binary(Op::power);
+    return graph_.binary(Op::power, base, deeper_unary());  // from the right: a^b^c = a^(b^c), and a^-b
   }
-  void deeper_unary() {
+  Id deeper_unary() {
     const Level level(*this);
-    unary();
+    return unary();
   }
 
-  void primary() {
+  Id primary() {
     if (token_.kind == Token::Kind::number) {
-      emit_.constant(token_.value);
+      const double value = token_.value;
       advance();
-    } else if (token_.kind == Token::Kind::name) {
-      name();
-    } else if (token_.is("(")) {
-      advance();
-      ternary();
-      expect(")");
-    } else {
-      unexpected("a value");
+      return graph_.constant(value);
     }
+    if (token_.kind == Token::Kind::name) return name();
+    if (!token_.is("(")) unexpected("a value");
+    advance();
+    const Id inner = ternary();
+    expect(")");
+    return inner;
   }
 
-  void name() {
+  Id name() {
     const Token name = token_;
     if (const ExpressionFunction* function = find_expression_function(name.text)) {
       advance();
-      call(*function, name);
-      return;
+      return call(*function, name);
     }
-    if (name.text == "pi") {
-      emit_.constant(std::numbers::pi);
-    } else if (const int v = variable(name.text); v < variable_count) {
-      if ((allowed_ >> v & 1u) == 0)
-        fail("the variable '" + std::string(name.text) +
-             "' is not available here; available: " + variable_list(allowed_));
-      emit_.variable(v);
-    } else {
-      emit_.constant(user_constant(name.text));
-    }
+    const Id id = value_of_name(name.text);
     advance();
     if (token_.is("("))
       fail("'" + std::string(name.text.substr(0, 64)) + "' is not a function; write a*b for products");
+    return id;
+  }
+
+  Id value_of_name(std::string_view name) {
+    if (name == "pi") return graph_.constant(std::numbers::pi);
+    const int v = variable(name);
+    if (v == variable_count) return graph_.constant(user_constant(name));
+    if ((allowed_ >> v & 1u) == 0)
+      fail("the variable '" + std::string(name) + "' is not available here; available: " + variable_list(allowed_));
+    return graph_.variable(v);
   }
 
   static int variable(std::string_view name) {
@@ -245,53 +183,40 @@ class Parser {
     fail("unknown name '" + std::string(name.substr(0, 64)) + "'" + suggestion(name, constants_, allowed_));
   }
 
-  void call(const ExpressionFunction& function, const Token& name) {
+  Id call(const ExpressionFunction& function, const Token& name) {
     if (!token_.is("(")) unexpected("'(' after the function " + std::string(function.name));
     advance();
-    int arguments = 0;
-    do {
-      if (arguments > 0) advance();
-      ternary();
-      ++arguments;
-      // min(a, b, c) is min(min(a, b), c): n arguments need no longer stack than two.
-      if (function.arguments == 2 && (arguments == 2 || (function.more && arguments > 2))) emit_.binary(function.op);
-    } while (token_.is(",") && (function.more || arguments <= function.arguments));
+    Id first = ternary(), result = first;
+    int arguments = 1;
+    for (; token_.is(",") && (function.more || arguments <= function.arguments); ++arguments) {
+      advance();
+      // min(a, b, c) is min(min(a, b), c).
+      const Id next = ternary();
+      if (function.arguments == 2) result = graph_.binary(function.op, result, next);
+    }
     expect(")");
     if (arguments != function.arguments && !(function.more && arguments > function.arguments))
       throw ExpressionError(std::string(function.name) + " takes " + (function.more ? "at least " : "") +
                                 std::to_string(function.arguments) + " argument" +
                                 (function.arguments == 1 ? "" : "s") + ", not " + std::to_string(arguments),
                             name.position);
-    if (function.arguments == 1) emit_.unary(function.op);
+    return function.arguments == 1 ? graph_.unary(function.op, first) : result;
   }
 
   Lexer lexer_;
   const Constants& constants_;
   VariableMask allowed_;
   Token token_;
-  Emitter emit_;
+  ExpressionGraph graph_;
   int depth_ = 0;
 };
-
-/// Slots of the stack that the program needs, and the variables it uses.
-void measure(Program& program) {
-  int depth = 0, deepest = 0;
-  for (const Instruction& instruction : program.code) {
-    depth += 1 - operands(instruction.op);
-    deepest = std::max(deepest, depth);
-    if (instruction.op == Op::variable) program.variables |= 1u << instruction.index;
-  }
-  program.stack = static_cast<std::size_t>(deepest);
-}
 
 }  // namespace
 
 Expression Expression::compile(std::string_view text, const Constants& constants, VariableMask allowed) {
   if (text.size() > max_length)
     throw ExpressionError("longer than " + std::to_string(max_length) + " characters", max_length);
-  Program program;
-  program.code = Parser(text, constants, allowed).parse();
-  measure(program);
+  Program program = Parser(text, constants, allowed).parse();
   if (program.stack > max_stack) throw ExpressionError("too deep: it holds too many unfinished operations", 0);
   Expression expression;
   expression.program_ = std::make_shared<const Program>(std::move(program));

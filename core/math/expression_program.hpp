@@ -1,4 +1,5 @@
-// What a compiled expression is: a postfix program over a small stack, and what each operation does to values.
+// What a compiled expression is: a postfix program over a small stack, with a place for values that are used again;
+// and what each operation does to values.
 #pragma once
 
 #include <cmath>
@@ -14,6 +15,8 @@ enum class Op : std::uint8_t {
   // leaves
   constant,
   variable,
+  load,  // the value kept under an index
+  save,  // not an operation on values: keeps the newest value under an index, and leaves it where it is
   // one operand
   negate,
   logical_not,
@@ -55,23 +58,34 @@ enum class Op : std::uint8_t {
 
 struct Instruction {
   Op op;
-  std::int32_t index = 0;  ///< variable: which; power_integer: the exponent
+  std::int32_t index = 0;  ///< variable, load, save: which; power_integer: the exponent
   double value = 0;        ///< constant
 };
 
-struct Program {
-  std::vector<Instruction> code;
-  std::size_t stack = 1;   ///< slots that evaluation needs
-  unsigned variables = 0;  ///< bit v set: variable v is used
-};
-
-inline constexpr std::size_t max_stack = 512;  ///< no program needs more: compile() refuses deeper ones
-
 constexpr int operands(Op op) {
-  if (op <= Op::variable) return 0;
+  if (op <= Op::save) return 0;
   if (op <= Op::abs) return 1;
   return op == Op::select ? 3 : 2;
 }
+
+inline constexpr std::size_t max_stack = 512;  ///< no program needs more: compile() refuses deeper ones
+inline constexpr std::size_t max_saved = 32;   ///< values kept for later; further ones are computed again
+
+struct Program {
+  std::vector<Instruction> code;
+  std::size_t depth = 0;   ///< values on the stack at the end of `code`: 1 for a complete program
+  std::size_t stack = 0;   ///< values that evaluation needs there at most
+  std::size_t saved = 0;   ///< values that evaluation keeps
+  unsigned variables = 0;  ///< bit v set: variable v is used
+
+  void add(const Instruction& instruction) {
+    code.push_back(instruction);
+    if (instruction.op == Op::variable) variables |= 1u << instruction.index;
+    if (instruction.op == Op::save) return;
+    depth = depth + 1 - static_cast<std::size_t>(operands(instruction.op));
+    stack = depth > stack ? depth : stack;
+  }
+};
 
 inline double value_of(double a) {
   return a;

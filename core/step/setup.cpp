@@ -19,6 +19,10 @@ std::unique_ptr<Law<D>> law_of(const Material& material) {
   return make_law<D>(material.model, values);
 }
 
+/// Of the mouse's spring, as a part of the held material's own stiffness: softer, so that a jerk moves bodies and does not
+/// tear them.
+constexpr double grab_softness = 0.05;
+
 std::size_t material_index(const Scene& scene, const std::string& name) {
   for (std::size_t k = 0; k < scene.materials.size(); ++k)
     if (scene.materials[k].name == name) return k;
@@ -154,12 +158,12 @@ void SimulationOf<D>::set_grab(const std::optional<Grab>& grab) {
     held_ = {{particles_.id[nearest]}, {1.0}};
     const Material& material = scene_.materials[particles_.material[nearest]];
     const double c = laws_[particles_.material[nearest]]->wave_speed(material.density);
-    grab_stiffness_ = material.density * c * c * (D == 2 ? 1 : scene_.grid.spacing);
+    grab_stiffness_ = grab_softness * material.density * c * c * (D == 2 ? 1 : scene_.grid.spacing);
     return;
   }
   for (double& w : held_.weight) w /= sum;
-  // As stiff as the held material itself: modulus times its size (times unit thickness in 2D).
-  grab_stiffness_ = stiffness / sum * (D == 2 ? 1 : grab->radius);
+  // In proportion to the held material: its modulus times its size (times unit thickness in 2D).
+  grab_stiffness_ = grab_softness * stiffness / sum * (D == 2 ? 1 : grab->radius);
 }
 
 template <int D>
