@@ -17,7 +17,7 @@ struct Lanes;
 template <>
 struct Lanes<double> {
   static constexpr int count = 1;
-  using Bits = std::int64_t;
+  using Bits = std::uint64_t;  // overflow wraps, as it does in a pack
 };
 template <>
 struct Lanes<Pack> {
