@@ -9,7 +9,8 @@ namespace pf {
 
 /// Eight doubles; element-wise + - * / and comparisons come with the compiler (GCC and clang vector extensions).
 typedef double Pack __attribute__((vector_size(64)));
-typedef std::int64_t PackBits __attribute__((vector_size(64)));
+typedef std::int64_t PackMask __attribute__((vector_size(64)));  ///< of a comparison: -1 true, 0 false
+typedef std::uint64_t PackBits __attribute__((vector_size(64)));
 
 /// What is needed to write a formula once: the number of lanes, the integer of the same shape.
 template <class T>
@@ -17,7 +18,7 @@ struct Lanes;
 template <>
 struct Lanes<double> {
   static constexpr int count = 1;
-  using Bits = std::uint64_t;  // overflow wraps, as it does in a pack
+  using Bits = std::uint64_t;
 };
 template <>
 struct Lanes<Pack> {
@@ -29,7 +30,7 @@ struct Lanes<Pack> {
 inline double select(bool condition, double a, double b) {
   return condition ? a : b;
 }
-inline Pack select(const PackBits& condition, const Pack& a, const Pack& b) {
+inline Pack select(const PackMask& condition, const Pack& a, const Pack& b) {
   return condition ? a : b;
 }
 
@@ -42,7 +43,7 @@ T broadcast(double x) {
 inline bool any(bool condition) {
   return condition;
 }
-inline bool any(const PackBits& condition) {
+inline bool any(const PackMask& condition) {
   std::int64_t all = 0;
   for (int lane = 0; lane < 8; ++lane) all |= condition[lane];
   return all != 0;
@@ -52,7 +53,7 @@ inline double absolute(double x) {
   return __builtin_fabs(x);
 }
 inline Pack absolute(const Pack& x) {
-  return std::bit_cast<Pack>(std::bit_cast<PackBits>(x) & 0x7fffffffffffffff);
+  return std::bit_cast<Pack>(std::bit_cast<PackBits>(x) & std::uint64_t{0x7fffffffffffffff});
 }
 
 inline double square_root(double x) {

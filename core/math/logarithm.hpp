@@ -14,10 +14,11 @@ struct BinarySplit {
 template <class T>
 BinarySplit<T> split_binary(const T& u) {
   using Bits = typename Lanes<T>::Bits;
-  constexpr std::int64_t sqrt_half = 0x3fe6a09e00000000, one = 0x3ff0000000000000, mantissa = 0x000fffffffffffff;
+  constexpr std::uint64_t sqrt_half = 0x3fe6a09e00000000, one = 0x3ff0000000000000, mantissa = 0x000fffffffffffff;
+  constexpr std::uint64_t integer_at_zero = 0x4338000000000000 - 1023;  // the bits of 1.5 * 2^52, less the bias
   const Bits shifted = std::bit_cast<Bits>(u) + (one - sqrt_half);
   // An integer k becomes a double through the bits of 1.5 * 2^52 + k: there is no AVX2 instruction for it.
-  const Bits k = (shifted >> 52) - 1023 + 0x4338000000000000;
+  const Bits k = (shifted >> 52) + integer_at_zero;
   const Bits m = (shifted & mantissa) + sqrt_half;
   return {std::bit_cast<T>(k) - 0x1.8p52, std::bit_cast<T>(m) - 1.0};
 }

@@ -25,7 +25,7 @@ T power_of_two_below(const Square<T, D>& F) {
     const T size = absolute(entry);
     largest = select(size > largest, size, largest);
   }
-  const Bits exponent = std::bit_cast<Bits>(largest) & 0x7ff0000000000000;
+  const Bits exponent = std::bit_cast<Bits>(largest) & std::uint64_t{0x7ff0000000000000};
   // Above 2^1022 the reciprocal would be subnormal; such a matrix is no deformation.
   return select(largest < 0x1p-1021, broadcast<T>(1), std::bit_cast<T>(exponent));
 }
