@@ -69,24 +69,32 @@ Svd<T, 2> svd(const Square<T, 2>& F) {
 
 namespace detail {
 
-/// Turns columns p and q of B and V so that those of B become orthogonal (one-sided Jacobi). Says whether any lane
-/// still had to turn by more than rounding.
 template <class T>
-bool orthogonalise_columns(Square<T, 3>& B, Square<T, 3>& V, int p, int q) {
+T squared_length(const Square<T, 3>& B, int column) {
+  return B(0, column) * B(0, column) + B(1, column) * B(1, column) + B(2, column) * B(2, column);
+}
+
+/// Turns columns p and q so that those of B become orthogonal (one-sided Jacobi). To save a square root and to take
+/// a division off the critical path, the rotation is left unscaled: the columns of B and V then are the true ones
+/// times 1/sqrt(w). Says whether any lane still had to turn by more than rounding.
+template <class T>
+[[gnu::always_inline]] inline bool orthogonalise_columns(Square<T, 3>& B, Square<T, 3>& V, T (&w)[3], int p, int q) {
   const auto dot = [&B](int i, int j) { return B(0, i) * B(0, j) + B(1, i) * B(1, j) + B(2, i) * B(2, j); };
   const T a = dot(p, p), b = dot(q, q), g = dot(p, q);
   const auto turn = g * g > 1e-31 * (a * b);
   if (!any(turn)) return false;
-  const T d = b - a, twice = 2.0 * g;
-  const T root = square_root(d * d + twice * twice);
-  const T t = twice / select(d < 0.0, d - root, d + root);
-  const T c = select(turn, 1.0 / square_root(1.0 + t * t), broadcast<T>(1));
-  const T s = select(turn, c * t, T{});
-  for (int a_row = 0; a_row < 3; ++a_row) {
+  const T d = b * w[q] - a * w[p], twice = 2.0 * g;
+  const T root = square_root(d * d + (twice * twice) * (w[p] * w[q]));
+  const T slope = select(turn, twice / select(d < 0.0, d - root, d + root), T{});
+  const T to_p = slope * w[q], to_q = slope * w[p];  // tan(angle) times the ratio of the columns' scales
+  const T cos_squared = 1.0 / (1.0 + to_p * to_q);
+  w[p] *= cos_squared;
+  w[q] *= cos_squared;
+  for (int row = 0; row < 3; ++row) {
     for (Square<T, 3>* M : {&B, &V}) {
-      const T x = (*M)(a_row, p), y = (*M)(a_row, q);
-      (*M)(a_row, p) = c * x - s * y;
-      (*M)(a_row, q) = s * x + c * y;
+      const T x = (*M)(row, p), y = (*M)(row, q);
+      (*M)(row, p) = x - to_p * y;
+      (*M)(row, q) = y + to_q * x;
     }
   }
   return true;
@@ -94,7 +102,7 @@ bool orthogonalise_columns(Square<T, 3>& B, Square<T, 3>& V, int p, int q) {
 
 /// Where column p is the shorter one: exchanges columns p and q, turning one round so that det V stays +1.
 template <class T>
-void order_columns(Square<T, 3>& B, Square<T, 3>& V, T (&length)[3], int p, int q) {
+[[gnu::always_inline]] inline void order_columns(Square<T, 3>& B, Square<T, 3>& V, T (&length)[3], int p, int q) {
   const auto exchange = length[p] < length[q];
   for (Square<T, 3>* M : {&B, &V}) {
     for (int a = 0; a < 3; ++a) {
@@ -110,7 +118,7 @@ void order_columns(Square<T, 3>& B, Square<T, 3>& V, T (&length)[3], int p, int 
 
 /// A unit vector in `out` orthogonal to the unit vector u.
 template <class T>
-void any_orthogonal(const T (&u)[3], T (&out)[3]) {
+[[gnu::always_inline]] inline void any_orthogonal(const T (&u)[3], T (&out)[3]) {
   const auto along_x = u[0] * u[0] > 0.5;  // then (-y, x, 0) is long enough, else (0, -z, y)
   const T x = select(along_x, -u[1], T{}), y = select(along_x, u[0], -u[2]), z = select(along_x, T{}, u[1]);
   const T scale = 1.0 / square_root(x * x + y * y + z * z);
@@ -121,7 +129,7 @@ void any_orthogonal(const T (&u)[3], T (&out)[3]) {
 
 /// U and s from the orthogonal columns of B = U diag(s), longest first; scale is put back into s.
 template <class T>
-void columns_to_rotation(const Square<T, 3>& B, const T& scale, Svd<T, 3>& out) {
+[[gnu::always_inline]] inline void columns_to_rotation(const Square<T, 3>& B, const T& scale, Svd<T, 3>& out) {
   const T one = broadcast<T>(1);
   T u[3], v[3], w[3];
   const T n0 = square_root(B(0, 0) * B(0, 0) + B(1, 0) * B(1, 0) + B(2, 0) * B(2, 0));
@@ -158,14 +166,21 @@ Svd<T, 3> svd(const Square<T, 3>& F) {
   for (T& entry : B.e) entry *= factor;
   result.V = identity_of<T, 3>();
   // Quadratic convergence: four sweeps are usual. The bound only matters for NaN-like input, and NaN never turns.
+  T w[3] = {broadcast<T>(1), broadcast<T>(1), broadcast<T>(1)}, length[3];
   for (int sweep = 0; sweep < 12; ++sweep) {
-    bool turned = detail::orthogonalise_columns(B, result.V, 0, 1);
-    turned |= detail::orthogonalise_columns(B, result.V, 0, 2);
-    turned |= detail::orthogonalise_columns(B, result.V, 1, 2);
+    bool turned = detail::orthogonalise_columns(B, result.V, w, 0, 1);
+    turned |= detail::orthogonalise_columns(B, result.V, w, 0, 2);
+    turned |= detail::orthogonalise_columns(B, result.V, w, 1, 2);
     if (!turned) break;
   }
-  T length[3];
-  for (int a = 0; a < 3; ++a) length[a] = B(0, a) * B(0, a) + B(1, a) * B(1, a) + B(2, a) * B(2, a);
+  for (int i = 0; i < 3; ++i) {
+    const T per_v = 1.0 / square_root(detail::squared_length(result.V, i));
+    for (int a = 0; a < 3; ++a) {
+      result.V(a, i) *= per_v;
+      B(a, i) *= per_v;
+    }
+    length[i] = detail::squared_length(B, i);
+  }
   detail::order_columns(B, result.V, length, 0, 1);
   detail::order_columns(B, result.V, length, 0, 2);
   detail::order_columns(B, result.V, length, 1, 2);
