@@ -1,5 +1,6 @@
 #include "core/energies/elastic.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/grid/stencil.hpp"
@@ -10,12 +11,6 @@ namespace {
 
 std::size_t at(std::int32_t i) {
   return static_cast<std::size_t>(i);
-}
-
-/// Position of (row, column), row <= column, in the packed upper triangle of an n x n matrix.
-template <int N>
-constexpr int packed(int row, int column) {
-  return row * N - row * (row - 1) / 2 + (column - row);
 }
 
 /// Gradients of the cell's node (ix, iy, iz), a lane a particle.
@@ -145,35 +140,21 @@ double ElasticEnergy<D>::gradient(const Vector& u, Vector& g, Vector& magnitude)
 
 template <int D>
 void ElasticEnergy<D>::block_tangents(const Block<D>& block, bool project) {
-  constexpr int n2 = D * D;
-  Tangent<D> dP[128];
-  int batch = block.batch_begin;
+  constexpr int group = 64;  // particles a call
+  double* place[group];
+  int i = block.batch_begin;
   for (int r = block.run_begin; r < block.run_end; ++r) {
     const MaterialRun& run = plan_.runs()[at(r)];
-    const std::size_t n = at(run.end - run.begin);
-    laws_[run.material]->tangent({F_.data() + run.begin, n}, project, {dP, n});
-    for (int p = run.begin; p < run.end; ++p) {
-      while (p >= plan_.batches()[at(batch)].first + plan_.batches()[at(batch)].count) ++batch;
-      const int lane = p - plan_.batches()[at(batch)].first;
-      // With respect to F^: dP_aB/dF_cD F^n_bB F^n_dD, that is (F^n (x) I) dP (F^n (x) I)^T in D x D pieces.
-      const Mat<D>& Fn = particles_.F[at(p)];
-      const Tangent<D>& A = dP[p - run.begin];
-      Tangent<D> half;
-      for (int d = 0; d < D; ++d) {
-        half.template middleCols<D>(d * D).noalias() = A.template middleCols<D>(0) * Fn(d, 0);
-        for (int c = 1; c < D; ++c)
-          half.template middleCols<D>(d * D).noalias() += A.template middleCols<D>(c * D) * Fn(d, c);
+    for (int first = run.begin; first < run.end; first += group) {
+      const int count = std::min(group, run.end - first);
+      for (int p = first; p < first + count; ++p) {
+        while (p >= plan_.batches()[at(i)].first + plan_.batches()[at(i)].count) ++i;
+        Wide<W>* batch = tangent_.data() + at(i) * components;
+        place[p - first] = reinterpret_cast<double*>(batch) + (p - plan_.batches()[at(i)].first);
       }
-      Wide<W>* out = tangent_.data() + at(batch) * components;
-      for (int b = 0; b < D; ++b) {
-        Eigen::Matrix<double, D, n2> rows = half.template middleRows<D>(0) * Fn(b, 0);
-        for (int c = 1; c < D; ++c) rows.noalias() += half.template middleRows<D>(c * D) * Fn(b, c);
-        for (int a = 0; a < D; ++a) {
-          const int row = a + D * b;
-          for (int column = row; column < n2; ++column)
-            out[packed<n2>(row, column)][lane] = particles_.volume0[at(p)] * rows(a, column);
-        }
-      }
+      const std::size_t n = at(count);
+      laws_[run.material]->grid_tangent({F_.data() + first, n}, {particles_.F.data() + first, n},
+                                        {particles_.volume0.data() + first, n}, project, {place, n}, W);
     }
   }
 }
@@ -208,7 +189,7 @@ void ElasticEnergy<D>::hessian_product(const Vector& p, Vector& Hp) {
         for (int row = 0; row < n2; ++row) {
           Wide<W> sum{};
           for (int column = 0; column < n2; ++column)
-            sum += A[packed<n2>(row < column ? row : column, row < column ? column : row)] *
+            sum += A[packed_tangent_index<D>(std::min(row, column), std::max(row, column))] *
                    gradient[column % D][column / D];
           flux[row % D][row / D] = sum;
         }
@@ -225,14 +206,13 @@ namespace {
 /// T[a][c][b] = sum_d A_{ab,cd} grad_d: half of the contraction of a tangent with two gradients.
 template <int D>
 inline void contract(const Wide<lane_count<D>>* A, const Wide<lane_count<D>>* grad, Wide<lane_count<D>> (*T)[D][D]) {
-  constexpr int n2 = D * D;
   for (int a = 0; a < D; ++a)
     for (int c = 0; c < D; ++c)
       for (int b = 0; b < D; ++b) {
         Wide<lane_count<D>> sum{};
         for (int d = 0; d < D; ++d) {
           const int row = a + D * b, column = c + D * d;
-          sum += A[packed<n2>(row < column ? row : column, row < column ? column : row)] * grad[d];
+          sum += A[packed_tangent_index<D>(std::min(row, column), std::max(row, column))] * grad[d];
         }
         T[a][c][b] = sum;
       }

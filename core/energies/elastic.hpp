@@ -16,10 +16,6 @@ namespace pf {
 template <int D>
 using Laws = std::vector<std::unique_ptr<Law<D>>>;  ///< one a material
 
-/// Components of the symmetric d^2 x d^2 tangent: its upper triangle, row by row.
-template <int D>
-inline constexpr int tangent_components = D* D*(D* D + 1) / 2;
-
 template <int D>
 class ElasticEnergy final : public Energy<D> {
  public:

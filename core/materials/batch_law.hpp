@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstring>
 
 #include "core/materials/evaluate.hpp"
 #include "core/materials/law.hpp"
@@ -44,15 +45,39 @@ class BatchLaw final : public Law<D> {
     }
   }
 
-  Mat3 cauchy(const Mat<D>& F) const override {
-    Mat3 full = Mat3::Identity(), P;  // plane strain is the 3D motion with F_33 = 1
-    full.template topLeftCorner<D, D>() = F;
-    Square<double, 3> F_full;
-    std::copy_n(full.data(), 9, F_full.e);
-    double psi = 0;
-    std::copy_n(P_of(model_, F_full, psi).e, 9, P.data());
-    return P * full.transpose() / determinant(F_full);
+  void grid_tangent(std::span<const Mat<D>> F, std::span<const Mat<D>> F_n, std::span<const double> weight,
+                    bool project, std::span<double* const> place, int stride) const override {
+    assert(F.size() == F_n.size() && F.size() == weight.size() && F.size() == place.size());
+    for_packs(F, [&](const Square<Pack, D>& F_pack, std::size_t first, std::size_t count) {
+      const Square<Pack, D> F_n_pack = load(F_n.subspan(first, count));
+      UpperTangent<Pack, D> A;
+      if (project) {
+        grid_dP_of<true>(model_, F_pack, F_n_pack, A);
+      } else {
+        grid_dP_of<false>(model_, F_pack, F_n_pack, A);
+      }
+      Pack scale{};
+      for (std::size_t lane = 0; lane < count; ++lane) scale[static_cast<int>(lane)] = weight[first + lane];
+      store_tangent(A, scale, place.subspan(first, count), stride);
+    });
   }
+
+  void cauchy(std::span<const Mat<D>> F, std::span<Mat3> sigma) const override {
+    assert(F.size() == sigma.size());
+    for_packs(F, [&](const Square<Pack, D>& F_pack, std::size_t first, std::size_t count) {
+      Square<Pack, 3> F_full = identity_of<Pack, 3>(), sigma_pack;  // plane strain is the 3D motion with F_33 = 1
+      for (int b = 0; b < D; ++b)
+        for (int a = 0; a < D; ++a) F_full(a, b) = F_pack(a, b);
+      Pack psi;
+      const Square<Pack, 3> P = P_of(model_, F_full, psi);
+      const Pack inverse_J = 1.0 / determinant(F_full);
+      for (int b = 0; b < 3; ++b)
+        for (int a = 0; a < 3; ++a)
+          sigma_pack(a, b) = inverse_J * (P(a, 0) * F_full(b, 0) + P(a, 1) * F_full(b, 1) + P(a, 2) * F_full(b, 2));
+      store<9>(sigma_pack.e, sigma.subspan(first, count));
+    });
+  }
+  using Law<D>::cauchy;
 
   double wave_speed(double density) const override {
     return std::sqrt((model_.lame.lambda + 2 * model_.lame.mu) / density);
@@ -61,26 +86,64 @@ class BatchLaw final : public Law<D> {
  private:
   static constexpr std::size_t width = Lanes<Pack>::count;
 
-  /// Calls use(F of eight particles, index of the first, how many of them are meant); the rest repeats the last.
-  /// One place calls it: two copies of the inlined formula might be contracted to FMA in two ways.
+  /// Up to eight particles; missing ones repeat the last.
+  static Square<Pack, D> load(std::span<const Mat<D>> F) {
+    Square<Pack, D> F_pack;
+    if (F.size() == width) {
+      load_records<D * D>(F[0].data(), F_pack.e);
+      return F_pack;
+    }
+    Mat<D> padded[width];
+    for (std::size_t lane = 0; lane < width; ++lane) padded[lane] = F[std::min(lane, F.size() - 1)];
+    load_records<D * D>(padded[0].data(), F_pack.e);
+    return F_pack;
+  }
+
+  /// Calls use(F of eight particles, index of the first, how many of them are meant). One place calls it: two copies
+  /// of the inlined formula might be contracted to FMA in two ways.
   template <class Use>
   static void for_packs(std::span<const Mat<D>> F, const Use& use) {
-    Square<Pack, D> F_pack;
-    Mat<D> padded[width];
     for (std::size_t p = 0; p < F.size(); p += width) {
       const std::size_t count = std::min(width, F.size() - p);
-      const Mat<D>* first = &F[p];
-      if (count < width) {
-        for (std::size_t lane = 0; lane < width; ++lane) padded[lane] = F[std::min(p + lane, F.size() - 1)];
-        first = padded;
-      }
-      load_records<D * D>(first->data(), F_pack.e);
-      use(F_pack, p, count);
+      use(load(F.subspan(p, count)), p, count);
     }
   }
 
   static void store(const Pack& values, std::span<double> out) {
-    for (std::size_t lane = 0; lane < out.size(); ++lane) out[lane] = values[static_cast<int>(lane)];
+    if (out.size() == width) {
+      std::memcpy(out.data(), &values, sizeof(Pack));
+    } else {
+      for (std::size_t lane = 0; lane < out.size(); ++lane) out[lane] = values[static_cast<int>(lane)];
+    }
+  }
+
+  /// scale A to the particles' places: whole packs or halves of one where places allow, else number by number.
+  static void store_tangent(const UpperTangent<Pack, D>& A, const Pack& scale, std::span<double* const> place,
+                            int stride) {
+    const auto follow = [place](std::size_t first, std::size_t count) {
+      for (std::size_t lane = 1; lane < count; ++lane)
+        if (place[first + lane] != place[first] + lane) return false;
+      return true;
+    };
+    const auto each_component = [&](const auto& write) {
+      for (int row = 0; row < D * D; ++row)
+        for (int column = row; column < D * D; ++column)
+          write(Pack(scale * A(row, column)), packed_tangent_index<D>(row, column) * stride);
+    };
+    constexpr std::size_t half = width / 2;
+    if (place.size() == width && follow(0, width)) {
+      each_component([&](const Pack& x, int at) { std::memcpy(place[0] + at, &x, sizeof(Pack)); });
+    } else if (place.size() == width && follow(0, half) && follow(half, half)) {
+      each_component([&](const Pack& x, int at) {
+        const double* values = reinterpret_cast<const double*>(&x);
+        std::memcpy(place[0] + at, values, sizeof(Pack) / 2);
+        std::memcpy(place[half] + at, values + half, sizeof(Pack) / 2);
+      });
+    } else {
+      each_component([&](const Pack& x, int at) {
+        for (std::size_t lane = 0; lane < place.size(); ++lane) place[lane][at] = x[static_cast<int>(lane)];
+      });
+    }
   }
 
   template <int size, class Record>

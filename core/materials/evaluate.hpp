@@ -32,21 +32,52 @@ Square<T, D> P_of(const Model& model, const Square<T, D>& F, T& psi) {
   }
 }
 
+/// Whether the projected, or the true, tangent of this model comes from principal stretches.
 template <bool project, class Model, class T, int D>
-void dP_of(const Model& model, const Square<T, D>& F, UpperTangent<T, D>& A) {
-  constexpr bool direct = requires {
+inline constexpr bool tangent_by_stretches = [] {
+  constexpr bool direct = requires(const Model& model, Square<T, D> F, UpperTangent<T, D> A) {
     model.dP(F, A);
   };
   constexpr bool convex = requires {
     Model::convex;
   };
-  if constexpr (direct && (!project || convex)) {
-    model.dP(F, A);
-  } else {
+  return !direct || (project && !convex);
+}();
+
+namespace detail {
+
+template <bool project, class Model, class T, int D>
+PrincipalTangent<T, D> principal_tangent_of(const Model& model, const Svd<T, D>& frame) {
+  PrincipalTangent<T, D> tangent = model.principal_tangent(frame.s);
+  if constexpr (project) clamp_psd(tangent);
+  return tangent;
+}
+
+}  // namespace detail
+
+/// dP/dF, or its projection.
+template <bool project, class Model, class T, int D>
+void dP_of(const Model& model, const Square<T, D>& F, UpperTangent<T, D>& A) {
+  if constexpr (tangent_by_stretches<project, Model, T, D>) {
     const Svd<T, D> frame = svd(F);
-    PrincipalTangent<T, D> tangent = model.principal_tangent(frame.s);
-    if constexpr (project) clamp_psd(tangent);
+    from_principal(frame, detail::principal_tangent_of<project>(model, frame), A);
+  } else {
+    model.dP(F, A);
+  }
+}
+
+/// (F_n (x) I) dP/dF (F_n (x) I)^T, dP/dF or its projection: the tangent with respect to F^, F = F^ F_n.
+template <bool project, class Model, class T, int D>
+void grid_dP_of(const Model& model, const Square<T, D>& F, const Square<T, D>& F_n, UpperTangent<T, D>& A) {
+  if constexpr (tangent_by_stretches<project, Model, T, D>) {
+    Svd<T, D> frame = svd(F);
+    const PrincipalTangent<T, D> tangent = detail::principal_tangent_of<project>(model, frame);
+    frame.V = multiply(F_n, frame.V);  // u_i v_j^T becomes u_i (F_n v_j)^T
     from_principal(frame, tangent, A);
+  } else {
+    UpperTangent<T, D> reference;
+    model.dP(F, reference);
+    push_forward(F_n, reference, A);
   }
 }
 

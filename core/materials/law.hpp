@@ -33,6 +33,15 @@ struct LawInfo {
   bool barrier_at_zero;  ///< psi -> infinity as J -> 0+: the line search keeps J > 0
 };
 
+/// Components of the upper half of a Tangent<D>, stored row by row: (0,0) (0,1) ... (1,1) ...
+template <int D>
+inline constexpr int tangent_components = D* D*(D* D + 1) / 2;
+/// Position there of component (row, column), row <= column.
+template <int D>
+constexpr int packed_tangent_index(int row, int column) {
+  return row * D * D - row * (row - 1) / 2 + (column - row);
+}
+
 /// A hyperelastic law. `F` is the deformation gradient, D x D; in 2D the motion is plane strain, F_33 = 1.
 /// Energies are per unit reference volume [J/m^3 = Pa], stresses are first Piola-Kirchhoff [Pa].
 /// All spans of a call have equal length; each call handles a batch so that the virtual call is paid once.
@@ -48,8 +57,19 @@ class Law {
   virtual void stress(std::span<const Mat<D>> F, std::span<double> psi, std::span<Mat<D>> P) const = 0;
   /// dP_p/dF_p, symmetric; with `project`, the nearest positive semi-definite matrix (Frobenius norm).
   virtual void tangent(std::span<const Mat<D>> F, bool project, std::span<Tangent<D>> dP) const = 0;
-  /// Cauchy stress sigma = P F^T / J as a full 3 x 3 tensor [Pa]; in 2D sigma_zz of plane strain included.
-  virtual Mat3 cauchy(const Mat<D>& F) const = 0;
+  /// The same as Newton's matrix needs it (THEORY T4): weight_p d2psi/dF^dF^ at F = F^ F_n, that is
+  /// weight_p (F_n (x) I) dP/dF (F_n (x) I)^T. Component packed_tangent_index(row, column) of particle p goes to
+  /// place[p][index * stride]; particles whose places follow one another are stored together.
+  virtual void grid_tangent(std::span<const Mat<D>> F, std::span<const Mat<D>> F_n, std::span<const double> weight,
+                            bool project, std::span<double* const> place, int stride) const = 0;
+  /// Cauchy stress sigma = P F^T / J as full 3 x 3 tensors [Pa]; in 2D sigma_zz of plane strain included.
+  virtual void cauchy(std::span<const Mat<D>> F, std::span<Mat3> sigma) const = 0;
+  /// The same of one particle; a batch costs a third to an eighth of that a particle.
+  Mat3 cauchy(const Mat<D>& F) const {
+    Mat3 sigma;
+    cauchy({&F, 1}, {&sigma, 1});
+    return sigma;
+  }
   /// Speed of pressure waves in the undeformed material, sqrt((lambda + 2 mu)/rho) [m/s].
   virtual double wave_speed(double density) const = 0;
 };

@@ -107,4 +107,31 @@ void from_principal(const Svd<T, D>& svd, const PrincipalTangent<T, D>& tangent,
   }
 }
 
+/// out = (F_n (x) I) A (F_n (x) I)^T, upper halves: out_{aB,bD} = sum_EG F_n_BE F_n_DG A_{aE,bG}.
+template <class T, int D>
+void push_forward(const Square<T, D>& F_n, const UpperTangent<T, D>& A, UpperTangent<T, D>& out) {
+  const auto entry = [&A](int row, int column) { return row <= column ? A(row, column) : A(column, row); };
+  for (int b = 0; b < D; ++b) {
+    for (int a = 0; a < D; ++a) {
+      // The D x D piece of the rows (a, .) and the columns (b, .): C -> F_n C F_n^T.
+      T half[D][D];
+      for (int g = 0; g < D; ++g) {
+        for (int B = 0; B < D; ++B) {
+          T sum = F_n(B, 0) * entry(a, b + D * g);
+          for (int e = 1; e < D; ++e) sum += F_n(B, e) * entry(a + D * e, b + D * g);
+          half[B][g] = sum;
+        }
+      }
+      for (int d = 0; d < D; ++d) {
+        for (int B = 0; B < D; ++B) {
+          if (a + D * B > b + D * d) continue;
+          T sum = F_n(d, 0) * half[B][0];
+          for (int g = 1; g < D; ++g) sum += F_n(d, g) * half[B][g];
+          out(a + D * B, b + D * d) = sum;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace pf

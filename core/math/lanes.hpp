@@ -1,36 +1,36 @@
-// Real numbers, one or eight at a time: the same formula is compiled for `double` and for a SIMD pack of particles.
+// Real numbers, one or eight at a time: the same formula is compiled for `double` and for a SIMD pack of
+// particles.
 #pragma once
 
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 namespace pf {
 
-/// Eight doubles; element-wise + - * / and comparisons come with the compiler (GCC and clang vector extensions).
+/// Eight doubles; element-wise + - * / and comparisons come with the compiler (GCC and clang vector
+/// extensions).
 typedef double Pack __attribute__((vector_size(64)));
-typedef std::int64_t PackMask __attribute__((vector_size(64)));  ///< of a comparison: -1 true, 0 false
-typedef std::uint64_t PackBits __attribute__((vector_size(64)));
 
-/// What is needed to write a formula once: the number of lanes, the integer of the same shape.
+/// What is needed to write a formula once: the number of lanes, the integers of the same shape.
 template <class T>
 struct Lanes;
 template <>
 struct Lanes<double> {
   static constexpr int count = 1;
   using Bits = std::uint64_t;
+  using Mask = bool;
 };
 template <>
 struct Lanes<Pack> {
   static constexpr int count = 8;
-  using Bits = PackBits;
+  typedef std::uint64_t Bits __attribute__((vector_size(64)));
+  typedef std::int64_t Mask __attribute__((vector_size(64)));  ///< of a comparison: -1 true, 0 false
 };
-
 /// `condition ? a : b`, lane by lane; both sides are evaluated.
-inline double select(bool condition, double a, double b) {
-  return condition ? a : b;
-}
-inline Pack select(const PackMask& condition, const Pack& a, const Pack& b) {
+template <class T>
+T select(const typename Lanes<T>::Mask& condition, const T& a, const T& b) {
   return condition ? a : b;
 }
 
@@ -40,37 +40,39 @@ T broadcast(double x) {
   return T{} + x;
 }
 
+/// Whether a comparison holds in any lane.
 inline bool any(bool condition) {
   return condition;
 }
-inline bool any(const PackMask& condition) {
+template <class Mask>
+requires(!std::is_same_v<Mask, bool>) bool any(const Mask& condition) {
   std::int64_t all = 0;
-  for (int lane = 0; lane < 8; ++lane) all |= condition[lane];
+  for (std::size_t lane = 0; lane < sizeof(Mask) / 8; ++lane) all |= condition[lane];
   return all != 0;
 }
 
-inline double absolute(double x) {
-  return __builtin_fabs(x);
-}
-inline Pack absolute(const Pack& x) {
-  return std::bit_cast<Pack>(std::bit_cast<PackBits>(x) & std::uint64_t{0x7fffffffffffffff});
+template <class T>
+T absolute(const T& x) {
+  using Bits = typename Lanes<T>::Bits;
+  return std::bit_cast<T>(std::bit_cast<Bits>(x) & std::uint64_t{0x7fffffffffffffff});
 }
 
 inline double square_root(double x) {
   return __builtin_sqrt(x);
 }
-inline Pack square_root(const Pack& x) {
-  Pack y{};
-  for (int lane = 0; lane < 8; ++lane) y[lane] = __builtin_sqrt(x[lane]);
+template <class T>
+requires(Lanes<T>::count > 1) T square_root(const T& x) {
+  T y{};
+  for (int lane = 0; lane < Lanes<T>::count; ++lane) y[lane] = __builtin_sqrt(x[lane]);
   return y;
 }
 
-/// packs[k] = entry k of eight records of `size` doubles, that lie one after the other.
-template <int size>
-void load_records(const double* records, Pack* packs);
+/// packs[k] = entry k of as many records of `size` doubles, one after the other in memory, as the pack has lanes.
+template <int size, class T>
+void load_records(const double* records, T* packs);
 /// The reverse of load_records.
-template <int size>
-void store_records(const Pack* packs, double* records);
+template <int size, class T>
+void store_records(const T* packs, double* records);
 
 namespace detail {
 
@@ -96,30 +98,30 @@ inline void transpose_block(Pack (&x)[8]) {
 
 }  // namespace detail
 
-template <int size>
-void load_records(const double* records, Pack* packs) {
-  constexpr int whole = size / 8 * 8;
-  for (int k = 0; k < whole; k += 8) {
-    Pack block[8];
-    for (int lane = 0; lane < 8; ++lane) std::memcpy(&block[lane], records + lane * size + k, sizeof(Pack));
+template <int size, class T>
+void load_records(const double* records, T* packs) {
+  constexpr int width = Lanes<T>::count, whole = size / width * width;
+  for (int k = 0; k < whole; k += width) {
+    T block[width];
+    for (int lane = 0; lane < width; ++lane) std::memcpy(&block[lane], records + lane * size + k, sizeof(T));
     detail::transpose_block(block);
-    for (int n = 0; n < 8; ++n) packs[k + n] = block[n];
+    for (int n = 0; n < width; ++n) packs[k + n] = block[n];
   }
   for (int k = whole; k < size; ++k)
-    for (int lane = 0; lane < 8; ++lane) packs[k][lane] = records[lane * size + k];
+    for (int lane = 0; lane < width; ++lane) packs[k][lane] = records[lane * size + k];
 }
 
-template <int size>
-void store_records(const Pack* packs, double* records) {
-  constexpr int whole = size / 8 * 8;
-  for (int k = 0; k < whole; k += 8) {
-    Pack block[8];
-    for (int n = 0; n < 8; ++n) block[n] = packs[k + n];
+template <int size, class T>
+void store_records(const T* packs, double* records) {
+  constexpr int width = Lanes<T>::count, whole = size / width * width;
+  for (int k = 0; k < whole; k += width) {
+    T block[width];
+    for (int n = 0; n < width; ++n) block[n] = packs[k + n];
     detail::transpose_block(block);
-    for (int lane = 0; lane < 8; ++lane) std::memcpy(records + lane * size + k, &block[lane], sizeof(Pack));
+    for (int lane = 0; lane < width; ++lane) std::memcpy(records + lane * size + k, &block[lane], sizeof(T));
   }
   for (int k = whole; k < size; ++k)
-    for (int lane = 0; lane < 8; ++lane) records[lane * size + k] = packs[k][lane];
+    for (int lane = 0; lane < width; ++lane) records[lane * size + k] = packs[k][lane];
 }
 
 }  // namespace pf

@@ -83,14 +83,17 @@ void SimulationOf<D>::capture_fields(const SnapshotRequest& request, Snapshot& i
     if (known_.known()) known_.displacement_errors(particles_, time_, error);
   }
   const bool stress = wanted(Field::von_mises) || wanted(Field::pressure);
+  std::vector<Mat3> sigma(stress ? n : 0);
+  for (const MaterialRun& run : plan_.runs()) {
+    if (!stress) break;
+    const auto count = static_cast<std::size_t>(run.end - run.begin);
+    laws_[run.material]->cauchy({particles_.F.data() + run.begin, count}, {sigma.data() + run.begin, count});
+  }
   for (std::size_t p = 0; p < n; ++p) {
     if (wanted(Field::speed)) values(Field::speed)[p] = static_cast<float>(particles_.v[p].norm());
     if (wanted(Field::J)) values(Field::J)[p] = static_cast<float>(particles_.F[p].determinant());
-    if (stress) {
-      const Mat3 sigma = laws_[particles_.material[p]]->cauchy(particles_.F[p]);
-      if (wanted(Field::von_mises)) values(Field::von_mises)[p] = static_cast<float>(von_mises(sigma));
-      if (wanted(Field::pressure)) values(Field::pressure)[p] = static_cast<float>(pressure(sigma));
-    }
+    if (wanted(Field::von_mises)) values(Field::von_mises)[p] = static_cast<float>(von_mises(sigma[p]));
+    if (wanted(Field::pressure)) values(Field::pressure)[p] = static_cast<float>(pressure(sigma[p]));
     if (wanted(Field::energy_density)) values(Field::energy_density)[p] = static_cast<float>(psi[p]);
     if (wanted(Field::material)) values(Field::material)[p] = static_cast<float>(particles_.material[p]);
     if (wanted(Field::error)) values(Field::error)[p] = static_cast<float>(error[p]);

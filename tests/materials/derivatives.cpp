@@ -2,6 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
 
 #include "tests/materials/cases.hpp"
 
@@ -52,7 +54,63 @@ void check_projection(const LawInfo& info) {
   }
 }
 
+/// (F_n (x) I)
+template <int D>
+Tangent<D> kronecker(const Mat<D>& F_n) {
+  Tangent<D> push = Tangent<D>::Zero();
+  for (int b = 0; b < D; ++b)
+    for (int e = 0; e < D; ++e) push.template block<D, D>(D * b, D * e) = F_n(b, e) * Mat<D>::Identity();
+  return push;
+}
+
+/// Particles in slots of `lanes`, `skip` lanes left out in between: places that follow each other and places that do
+/// not.
+template <int D>
+void check_grid_tangent(const Law<D>& law, std::size_t lanes, std::size_t skip, bool project) {
+  const std::vector<Mat<D>> all = test::deformations<D>();
+  const std::size_t n = all.size() - 1, stride = lanes;
+  const std::vector<Mat<D>> F(all.begin(), all.end() - 1), F_n(all.begin() + 1, all.end());
+  const double untouched = -7;
+  std::vector<double> out(tangent_components<D> * (n + 1) * (skip + 1) * lanes, untouched), weight(n);
+  std::vector<double*> place(n);
+  std::size_t slot = 0;
+  for (std::size_t p = 0; p < n; ++p, slot += 1 + (p % lanes == 0 ? skip : 0)) {
+    weight[p] = 1.5 + static_cast<double>(p);
+    place[p] = out.data() + slot / lanes * tangent_components<D> * stride + slot % lanes;
+  }
+  law.grid_tangent(F, F_n, weight, project, place, static_cast<int>(stride));
+  std::vector<Tangent<D>> dP(n);
+  law.tangent(F, project, dP);
+  for (std::size_t p = 0; p < n; ++p) {
+    const Tangent<D> expected = weight[p] * kronecker(F_n[p]) * dP[p] * kronecker(F_n[p]).transpose();
+    for (int row = 0; row < D * D; ++row) {
+      for (int column = row; column < D * D; ++column) {
+        double& value = place[p][static_cast<std::size_t>(packed_tangent_index<D>(row, column)) * stride];
+        CHECK(std::abs(value - expected(row, column)) <= 1e-13 * expected.norm());
+        value = untouched;
+      }
+    }
+  }
+  CHECK(std::all_of(out.begin(), out.end(), [&](double value) { return value == untouched; }));
+}
+
+template <int D>
+void check_grid_tangent(const LawInfo& info) {
+  const std::unique_ptr<Law<D>> law = make_law<D>(info.name, test::typical_parameters(info));
+  for (const std::size_t lanes : {4u, 8u})
+    for (const std::size_t skip : {0u, 1u})
+      for (const bool project : {false, true}) check_grid_tangent<D>(*law, lanes, skip, project);
+}
+
 }  // namespace
+
+TEST_CASE("the grid's tangent is the law's, pushed forward by F_n") {
+  for (const LawInfo& info : laws()) {
+    CAPTURE(info.name);
+    check_grid_tangent<2>(info);
+    check_grid_tangent<3>(info);
+  }
+}
 
 TEST_CASE("P is the derivative of psi, and dP that of P, to second order") {
   for (const LawInfo& info : laws()) {

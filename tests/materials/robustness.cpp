@@ -80,12 +80,15 @@ void check_batches(const LawInfo& info) {
       std::vector<double> psi(count), energy(count);
       std::vector<Mat<D>> P(count);
       std::vector<Tangent<D>> dP(count), projected(count);
+      std::vector<Mat3> sigma(count);
+      law->cauchy(F, sigma);
       law->energy(F, energy);
       law->stress(F, psi, P);
       law->tangent(F, false, dP);
       law->tangent(F, true, projected);
       for (std::size_t p = 0; p < count; ++p) {
         const auto alone = test::evaluate(*law, F[p]);
+        CHECK(sigma[p] == law->cauchy(F[p]));
         CHECK((psi[p] == alone.psi && energy[p] == test::energy(*law, F[p]) && P[p] == alone.P && dP[p] == alone.dP &&
                projected[p] == alone.projected));
       }
@@ -179,7 +182,7 @@ TEST_CASE("rotated tiny strain: the energy keeps second order in the strain, not
 TEST_CASE("the registry: names are unique, unknown ones and wrong counts are refused") {
   for (const LawInfo& info : laws()) {
     CHECK(find_law(info.name) == &info);
-    CHECK(info.parameters.size() == 2);
+    CHECK(!info.parameters.empty());
     CHECK(!info.about.empty());
     for (const LawParameter& parameter : info.parameters) {
       CHECK(parameter.typical > parameter.min);

@@ -13,20 +13,21 @@ namespace {
 
 template <int size>
 void check_records() {
-  std::vector<double> records(8 * size);
+  constexpr int width = Lanes<Pack>::count;
+  std::vector<double> records(width * size);
   std::iota(records.begin(), records.end(), 1.0);
   Pack packs[size];
   load_records<size>(records.data(), packs);
-  for (int lane = 0; lane < 8; ++lane)
+  for (int lane = 0; lane < width; ++lane)
     for (int k = 0; k < size; ++k) CHECK(packs[k][lane] == records[static_cast<std::size_t>(lane * size + k)]);
-  std::vector<double> back(8 * size);
+  std::vector<double> back(width * size);
   store_records<size>(packs, back.data());
   CHECK(back == records);
 }
 
 }  // namespace
 
-TEST_CASE("eight records become packs and records again, whatever their length") {
+TEST_CASE("records become packs and records again, whatever their length") {
   check_records<1>();
   check_records<4>();
   check_records<8>();
