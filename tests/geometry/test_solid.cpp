@@ -4,6 +4,7 @@
 #include <limits>
 #include <random>
 
+#include "core/scene/choices.hpp"
 #include "shapes_for_tests.hpp"
 
 using namespace pf;
@@ -191,6 +192,9 @@ TEST_CASE("unbounded shapes say so") {
 
 TEST_CASE("every shape type is known by name, others are refused") {
   CHECK(shape_types().size() == 9);
+  for (const Choice& choice : shape_choices())  // what a scene may ask for
+    CHECK(std::ranges::find(shape_types(), choice.name) != shape_types().end());
+  CHECK(shape_choices().size() == shape_types().size());
   Shape s;
   s.type = "boxx";
   CHECK_THROWS_AS((void)solid(s, 2), std::invalid_argument);
