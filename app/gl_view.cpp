@@ -102,14 +102,12 @@ void GlView::draw(const AppContext& context) {
   }
   const Shown wanted{context.snapshot, render_options(context, pixels_per_unit_ * overlay_scale()), camera_};
   const bool anew = shown_ != wanted;
-  GLint window = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &window);
   if (anew) {
     target_->bind();
     renderer_.draw(*wanted.snapshot, wanted.options, camera_, {0, 0, size_});
-    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(window));
     shown_ = wanted;
   }
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);  // the window's
   const auto whole = [](float v) { return static_cast<int>(std::lround(v)); };
   target_->copy_to(whole(where_.x * pixels_per_unit_), whole(framebuffer_height_ - where_.bottom() * pixels_per_unit_),
                    anew);
