@@ -75,7 +75,7 @@ const Table& boundary_table() {
     t.formulas(&Boundary::velocity, mask_time, false, "velocity", "Velocity", "m/s")
         .within(1e9)
         .slider(-10, 10)
-        .reset()
+        .live()
         .help("Of the whole shape, as a function of time t; the shape moves along.");
     return t.take();
   }();

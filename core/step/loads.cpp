@@ -10,11 +10,10 @@
 namespace pf {
 
 template <int D>
-Loads<D>::Loads(const Scene& scene)
-    : gravity_(scene.gravity.head<D>()), body_force_(scene.body_force, scene.constants, mask_all) {
+Loads<D>::Loads(const Scene& scene) : gravity_(scene.gravity.head<D>()) {
+  set_formulas(scene);
   for (std::size_t k = 0; k < scene.loads.size(); ++k) {
     const Load& load = scene.loads[k];
-    traction_.emplace_back(load.traction, scene.constants, mask_all);
     const std::unique_ptr<Solid> region = make_solid(load.region, D, scene.constants);
     const std::size_t before = surface_.X.size();
     for (const Body& body : scene.bodies)
@@ -27,6 +26,13 @@ Loads<D>::Loads(const Scene& scene)
           "", {{"/loads/" + std::to_string(k) + "/region", "no part of the surface of body \"" + load.body + "\"",
                 "a region that holds a part of that body's surface at t = 0", 0}});
   }
+}
+
+template <int D>
+void Loads<D>::set_formulas(const Scene& scene) {
+  body_force_ = FormulaField<D>(scene.body_force, scene.constants, mask_all);
+  traction_.clear();
+  for (const Load& load : scene.loads) traction_.emplace_back(load.traction, scene.constants, mask_all);
 }
 
 template <int D>

@@ -16,6 +16,8 @@ class Loads {
 
   void set_gravity(const Vec3& gravity) { gravity_ = gravity.head<D>(); }
   const Vec<D>& gravity() const { return gravity_; }
+  /// Body force and tractions of a scene whose loads act on the same surfaces.
+  void set_formulas(const Scene& scene);
   /// The loaded surfaces; `tag` is the load's index.
   SurfacePoints<D>& surface() { return surface_; }
   const SurfacePoints<D>& surface() const { return surface_; }

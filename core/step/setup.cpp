@@ -91,8 +91,6 @@ void SimulationOf<D>::make_settings() {
   integrator_ = make_integrator<D>(scene_.integrator.type);
   chosen_solver_.clear();
   loads_.set_gravity(scene_.gravity);
-  for (std::size_t p = 0; p < particles_.size(); ++p)
-    particles_.mass[p] = scene_.materials[particles_.material[p]].density * particles_.volume0[p];
 }
 
 template <int D>
@@ -102,29 +100,53 @@ void SimulationOf<D>::build_plan_or_throw() {
                            "positions below 1e15 spacings, all within about 2 million cells (3D) of each other", 0}});
 }
 
+namespace {
+
+/// Whether lists agree in number and in what `same` compares.
+template <class T, class Same>
+bool alike(const std::vector<T>& a, const std::vector<T>& b, Same&& same) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+}
+
+/// Whether all that particles, surfaces, walls and the known motion were made from is the same.
+bool made_alike(const Scene& a, const Scene& b) {
+  return a.dimension == b.dimension && a.constants == b.constants && a.grid.spacing == b.grid.spacing &&
+         a.bodies == b.bodies && a.exact_position == b.exact_position && a.manufactured == b.manufactured &&
+         a.probes == b.probes &&
+         alike(a.materials, b.materials,
+               [](const Material& m, const Material& n) { return m.name == n.name && m.density == n.density; }) &&
+         alike(a.boundaries, b.boundaries,
+               [](const Boundary& m, const Boundary& n) { return m.shape == n.shape && m.invert == n.invert; }) &&
+         alike(a.constraints, b.constraints,
+               [](const Constraint& m, const Constraint& n) { return m.region == n.region; }) &&
+         alike(a.loads, b.loads, [](const Load& m, const Load& n) { return m.body == n.body && m.region == n.region; });
+}
+
+}  // namespace
+
 template <int D>
 bool SimulationOf<D>::apply(const Scene& scene) {
-  // What the particles, surfaces or known motion were made from needs a reset.
-  if (scene.dimension != scene_.dimension || scene.constants != scene_.constants || scene.grid != scene_.grid ||
-      scene.bodies != scene_.bodies || scene.loads != scene_.loads || scene.body_force != scene_.body_force ||
-      scene.boundaries != scene_.boundaries || scene.constraints != scene_.constraints ||
-      scene.exact_position != scene_.exact_position || scene.manufactured != scene_.manufactured ||
-      scene.probes != scene_.probes || scene.materials.size() != scene_.materials.size())
-    return false;
-  for (std::size_t k = 0; k < scene.materials.size(); ++k)
-    if (scene.materials[k].name != scene_.materials[k].name) return false;
-  const bool was_affine = transfer_->affine();
+  if (!made_alike(scene, scene_)) return false;
+  if (scene.boundaries != scene_.boundaries || scene.constraints != scene_.constraints) {
+    Conditions<D> changed(scene);
+    changed.displacement() = conditions_.displacement();
+    changed.at(plan_, time_, scene.time.step);  // refuses contradictions while nothing has changed yet
+    conditions_ = std::move(changed);
+  }
+  if (scene.loads != scene_.loads || scene.body_force != scene_.body_force) loads_.set_formulas(scene);
+  const bool was_affine = transfer_->affine(), basis = scene.grid.basis != scene_.grid.basis;
   const bool physics = scene.materials != scene_.materials || scene.gravity != scene_.gravity ||
                        scene.transfer != scene_.transfer || scene.integrator != scene_.integrator ||
                        scene.solver != scene_.solver;
   if (scene.time.end != scene_.time.end) end_ = scene.time.end;
   dt_limit_ = scene.time.step;
   scene_ = scene;
-  if (!physics) return true;
-  make_settings();
+  if (basis) build_plan_or_throw();
+  if (physics) make_settings();
   if (was_affine && !transfer_->affine())
     for (Mat<D>& C : particles_.C) C.setZero();
-  accepted_.balance = particle_balance<D>(particles_, laws_, plan_, transfer_->affine(), loads_.gravity());
+  if (physics || basis)
+    accepted_.balance = particle_balance<D>(particles_, laws_, plan_, transfer_->affine(), loads_.gravity());
   return true;
 }
 

@@ -9,7 +9,7 @@ namespace pf {
 
 namespace {
 
-constexpr std::uint64_t magic = 0x3130657461745350;  // "PState01"
+constexpr std::uint64_t magic = 0x3230657461745350;  // "PState02"
 
 template <class T>
 void put(std::ostream& out, const T& value) {
@@ -19,6 +19,17 @@ template <class T>
 void put(std::ostream& out, const std::vector<T>& values) {
   put(out, static_cast<std::uint64_t>(values.size()));
   out.write(reinterpret_cast<const char*>(values.data()), static_cast<std::streamsize>(values.size() * sizeof(T)));
+}
+
+/// Member by member: between them lies padding, whose bytes mean nothing.
+template <int D>
+void put(std::ostream& out, const std::vector<RubbingNode<D>>& nodes) {
+  put(out, static_cast<std::uint64_t>(nodes.size()));
+  for (const RubbingNode<D>& node : nodes) {
+    put(out, node.index);
+    put(out, node.normal);
+    put(out, node.bound);
+  }
 }
 
 [[noreturn]] void refuse(const std::string& what) {
@@ -43,12 +54,17 @@ void get(std::istream& in, std::vector<T>& values, std::size_t expected) {
   read_values(in, values, n);
 }
 /// Of a length that only the state knows.
-template <class T>
-void get(std::istream& in, std::vector<T>& values) {
+template <int D>
+void get(std::istream& in, std::vector<RubbingNode<D>>& nodes) {
   std::uint64_t n = 0;
   get(in, n);
-  if (n > 1000000000 / sizeof(T)) refuse("a state of an impossible size");
-  read_values(in, values, n);
+  if (n > 1000000000 / sizeof(RubbingNode<D>)) refuse("a state of an impossible size");
+  nodes.resize(n);
+  for (RubbingNode<D>& node : nodes) {
+    get(in, node.index);
+    get(in, node.normal);
+    get(in, node.bound);
+  }
 }
 
 }  // namespace
