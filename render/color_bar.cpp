@@ -10,7 +10,7 @@ namespace pf {
 
 namespace {
 
-constexpr float margin = 16, padding = 12, text_size = 12, title_size = 13, bar_width = 14, tick_gap = 7;
+constexpr float margin = 12, padding = 12, text_size = 12, title_size = 13, bar_width = 14, tick_gap = 7;
 
 struct Box {
   Point2 min, max;
@@ -18,7 +18,7 @@ struct Box {
 
 /// The legend stands beside the title, or below it where the view is narrow.
 float top_of(Point2 min, Point2 max) {
-  return min.y + margin + (max.x - min.x < 520 ? 44.f : 0.f);
+  return min.y + margin + (max.x - min.x < 520 ? 64.f : 0.f);
 }
 
 /// A panel of this size at the right edge.

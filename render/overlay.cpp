@@ -11,7 +11,7 @@ namespace pf {
 
 namespace {
 
-constexpr float margin = 16, text_size = 13, small_size = 12, title_size = 16;
+constexpr float margin = 12, text_size = 13, small_size = 12, title_size = 16;
 
 /// Text that stays readable on whatever is below: a soft rim of the background's colour.
 void text_with_rim(Painter& painter, const RenderTheme& theme, Point2 at, std::string_view text, float size,
@@ -53,12 +53,23 @@ std::string clock_text(const OverlayInfo& info) {
 }
 
 void draw_title(const OverlayInfo& info, const RenderTheme& theme, Painter& painter, Point2 min) {
-  Point2 at{min.x + margin, min.y + margin + title_size};
-  if (!info.title.empty()) {
-    text_with_rim(painter, theme, at, info.title, title_size, theme.text, TextAlign::left, FontWeight::bold);
-    at.y += 20;
+  const bool titled = !info.title.empty();
+  if (!titled && !info.clock) return;
+  constexpr float padding = 10, between = 20;
+  const std::string clock = info.clock ? clock_text(info) : "";
+  const float width =
+      std::max(painter.text_width(info.title, title_size, FontWeight::bold), painter.text_width(clock, text_size));
+  const float height = (titled ? title_size : 0) + (titled && info.clock ? between : info.clock ? text_size : 0);
+  const Point2 corner{min.x + margin, min.y + margin};
+  painter.rectangle(corner, {corner.x + width + 2 * padding, corner.y + height + 2 * padding - 3}, theme.panel, 6);
+  Point2 at{corner.x + padding, corner.y + padding - 2};
+  if (titled) {
+    at.y += title_size;
+    painter.text(at, info.title, title_size, theme.text, TextAlign::left, FontWeight::bold);
   }
-  if (info.clock) text_with_rim(painter, theme, at, clock_text(info), text_size, theme.text_muted);
+  if (!info.clock) return;
+  at.y += titled ? between : text_size;
+  painter.text(at, clock, text_size, theme.text_muted);
 }
 
 /// Directions of the world's axes on the screen, y downwards, and their depth towards the eye.
@@ -158,8 +169,8 @@ OverlayInfo OverlayInfo::of(const Snapshot& snapshot, const Renderer& renderer, 
 }
 
 ViewMargins overlay_margins(int dimension) {
-  ViewMargins m{28, 132, 62, 66};
-  if (dimension == 3) m = {28, 132, 60, 40};
+  ViewMargins m{28, 128, 68, 66};
+  if (dimension == 3) m = {28, 128, 64, 40};
   return m;
 }
 

@@ -30,6 +30,7 @@ RenderTheme RenderTheme::dark() {
   t.ground_line = hex(0x454d5a);
   t.constraint = hex(0xffb454);
   t.load = hex(0xff7d6b);
+  t.silhouette = hex(0x8f9db3);
   t.inverted = hex(0xff2fd0);
   t.selection = hex(0xffffff);
   t.text = hex(0xe8edf4);
@@ -59,6 +60,7 @@ RenderTheme RenderTheme::light() {
   t.ground_line = hex(0xbcc5d0);
   t.constraint = hex(0xb86200);
   t.load = hex(0xc23b22);
+  t.silhouette = hex(0x4a5666);
   t.inverted = hex(0xd400a8);
   t.selection = hex(0x101418);
   t.text = hex(0x1b222c);

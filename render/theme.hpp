@@ -18,6 +18,7 @@ struct RenderTheme {
   Color solid, solid_hatch, solid_edge;  ///< boundaries
   Color solid_3d, ground, ground_line;   ///< boundaries in 3D
   Color constraint, load;                ///< regions
+  Color silhouette;                      ///< thin line around bodies in 2D, opaque
   Color inverted;                        ///< particles with J <= 0
   Color selection;
   Color text, text_muted;

@@ -6,6 +6,8 @@ uniform vec2 u_half_size;         // half of the viewport [px]
 uniform float u_pixels_per_metre;
 uniform bool u_round;
 uniform float u_scale;            // layout pixel [px]
+uniform vec4 u_silhouette;        // alpha > 0: only this colour, u_grow wider, to be drawn below
+uniform float u_grow;             // [px]
 
 #ifdef VERTEX
 layout(location = 0) in vec2 a_x;
@@ -25,7 +27,7 @@ void main() {
   if (u_round) v_half = vec2(max(h * px, 1.3 * u_scale));
   v_half = max(v_half, vec2(0.02));
   vec2 reach = u_round ? vec2(max(h, 1.3 * u_scale / px)) : vec2(h);
-  v_s = corner * (1.0 + 1.5 / v_half);
+  v_s = corner * (1.0 + (1.5 + u_grow) / v_half);
   gl_Position = u_view_projection * vec4(a_x + u_offset.xy + F * (v_s * reach), 0.0, 1.0);
   v_value = a_value;
 }
@@ -45,8 +47,12 @@ void main() {
   float size = min(v_half.x, v_half.y) / u_scale;
   // The overlap is for solids seen from afar; from near, squares are shown exactly.
   float overlap = u_round ? 0.0 : mix(0.5, 0.1, smoothstep(16.0, 40.0, size));
-  float alpha = clamp(d + 0.5 + overlap, 0.0, 1.0);
+  float alpha = clamp(d + 0.5 + overlap + u_grow, 0.0, 1.0);
   if (alpha <= 0.0) discard;
+  if (u_silhouette.a > 0.0) {
+    out_color = vec4(u_silhouette.rgb, alpha);
+    return;
+  }
   vec3 color = mapped(u_map, v_value, u_range);
   float rim = u_rim * smoothstep(4.0, 9.0, size) * (1.0 - smoothstep(0.2 * u_scale, 1.4 * u_scale, d));
   out_color = vec4(color * (1.0 - rim), alpha);
