@@ -16,9 +16,13 @@ constexpr std::array<FieldInfo, field_count> table{{
 }};
 }  // namespace
 
-std::span<const FieldInfo> fields() { return table; }
+std::span<const FieldInfo> fields() {
+  return table;
+}
 
-const FieldInfo& field_info(Field field) { return table[static_cast<std::size_t>(field)]; }
+const FieldInfo& field_info(Field field) {
+  return table[static_cast<std::size_t>(field)];
+}
 
 const FieldInfo* find_field(std::string_view key) {
   for (const FieldInfo& f : table)

@@ -56,8 +56,8 @@ struct GridSettings {
 };
 
 struct TimeSettings {
-  double end = 1;              ///< [s]
-  double step = 0.01;          ///< dt [s]
+  double end = 1;               ///< [s]
+  double step = 0.01;           ///< dt [s]
   std::optional<double> frame;  ///< interval of pictures and exports [s]; absent: every step
   std::string control = "fixed";
   bool operator==(const TimeSettings&) const = default;
@@ -86,7 +86,7 @@ struct SolverSettings {
 struct Material {
   std::string name;  ///< its key in "materials"
   std::string model;
-  double density = 0;                                       ///< R0 [kg/m^3]
+  double density = 0;                                      ///< R0 [kg/m^3]
   std::vector<std::pair<std::string, double>> parameters;  ///< in the order of LawInfo::parameters
   bool operator==(const Material&) const = default;
 };

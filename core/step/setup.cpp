@@ -19,8 +19,8 @@ std::unique_ptr<Law<D>> law_of(const Material& material) {
   return make_law<D>(material.model, values);
 }
 
-/// Of the mouse's spring, as a part of the held material's own stiffness: softer, so that a jerk moves bodies and does not
-/// tear them.
+/// Of the mouse's spring, as a part of the held material's own stiffness: softer, so that a jerk moves bodies and does
+/// not tear them.
 constexpr double grab_softness = 0.05;
 
 std::size_t material_index(const Scene& scene, const std::string& name) {

@@ -27,8 +27,8 @@ Particles<2> jittered(int edge) {
   for (int i = 0; i < edge; ++i)
     for (int j = 0; j < edge; ++j) {
       test::add_particle<2>(particles,
-                      Vec<2>((i + 0.5 + random(-0.25, 0.25)) * dx / 2, (j + 0.5 + random(-0.25, 0.25)) * dx / 2), 1,
-                      0.001);
+                            Vec<2>((i + 0.5 + random(-0.25, 0.25)) * dx / 2, (j + 0.5 + random(-0.25, 0.25)) * dx / 2),
+                            1, 0.001);
       particles.v.back() = random.vector<2>(2);
     }
   return particles;
