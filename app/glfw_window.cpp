@@ -157,7 +157,22 @@ void GlfwWindow::begin_frame() {
 void GlfwWindow::end_frame() {
   ImGui::Render();
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void GlfwWindow::show() {
   glfwSwapBuffers(window_);
+}
+
+Image GlfwWindow::read() const {
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(window_, &width, &height);
+  Image image(width, height);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadBuffer(GL_BACK);
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+  for (std::size_t i = 3; i < image.pixels.size(); i += 4) image.pixels[i] = 255;
+  image.flip_rows();
+  return image;
 }
 
 void GlfwWindow::renew_fonts() {

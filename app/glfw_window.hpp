@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/charts/image.hpp"
+
 struct GLFWwindow;
 
 namespace pf::app {
@@ -47,7 +49,9 @@ class GlfwWindow {
   bool take_focus_lost();
 
   void begin_frame();  ///< of ImGui and OpenGL
-  void end_frame();    ///< draws ImGui over what is there and shows it
+  void end_frame();    ///< draws ImGui over what is there
+  void show();         ///< what was drawn; the framebuffer's contents are lost
+  Image read() const;  ///< what was drawn and is not yet shown
   /// Renews the texture of the font atlas.
   void renew_fonts();
 

@@ -106,7 +106,9 @@ void ImGuiPainter::polygon(std::span<const Point2> unscaled, Color fill) {
     list_.AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()), packed(fill));
     return;
   }
-  // Ears are cut off until a triangle remains.
+  // Ears are cut off until a triangle remains. Their rims are not smoothed: that would show where they meet.
+  const ImDrawListFlags flags = list_.Flags;
+  list_.Flags &= ~ImDrawListFlags_AntiAliasedFill;
   std::vector<Point2> left = points;
   float area = 0;
   for (std::size_t i = 1; i + 1 < left.size(); ++i) area += turn(left[0], left[i], left[i + 1]);
@@ -124,8 +126,9 @@ void ImGuiPainter::polygon(std::span<const Point2> unscaled, Color fill) {
       list_.AddTriangleFilled(vec(a), vec(b), vec(c), packed(fill));
       left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
     }
-    if (!cut) return;  // crosses itself: outside of what the interface promises
+    if (!cut) break;  // crosses itself: outside of what the interface promises
   }
+  list_.Flags = flags;
 }
 
 void ImGuiPainter::rectangle(Point2 min, Point2 max, Color fill, float rounding) {
@@ -146,9 +149,14 @@ void ImGuiPainter::text(Point2 where, std::string_view text, float units, Color 
   const float shift = align == TextAlign::left ? 0 : align == TextAlign::centre ? width / 2 : width;
   const float baseline = font->Ascent * size / font->FontSize;
   const ImVec2 corner{std::round(at.x - (quarter_turns % 4 ? 0 : shift)), std::round(at.y - baseline)};
+  if (quarter_turns % 4 == 0) {
+    list_.AddText(font, size, corner, packed(color), text.data(), text.data() + text.size());
+    return;
+  }
   const int first = list_.VtxBuffer.Size;
-  list_.AddText(font, size, corner, packed(color), text.data(), text.data() + text.size());
-  if (quarter_turns % 4 == 0) return;
+  // Nothing may be left out for where it lies before the turn; the list's own clip holds after it.
+  font->RenderText(&list_, size, corner, packed(color), {-1e6f, -1e6f, 1e6f, 1e6f}, text.data(),
+                   text.data() + text.size());
   // Turn the glyphs' corners about `at`, after moving the text along its own line.
   const float angle = static_cast<float>(quarter_turns) * 1.5707963f;
   const float c = std::round(std::cos(angle)), s = std::round(std::sin(angle));

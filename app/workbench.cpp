@@ -107,6 +107,7 @@ bool Workbench::frame(double longest) {
   if (settle_ > 0 && !leaving_) {
     --settle_;
     draw();
+    window_.show();
   }
   return !leaving_;
 }
@@ -216,6 +217,13 @@ void Workbench::draw() {
   if (!picture_wanted_.empty()) save_picture(std::exchange(picture_wanted_, {}));
   window_.end_frame();
   ++frames_;
+}
+
+Image Workbench::screenshot() {
+  draw();
+  Image image = window_.read();
+  window_.show();
+  return image;
 }
 
 void Workbench::draw_parts() {

@@ -44,6 +44,9 @@ class Workbench {
   /// once the user has left.
   bool frame(double longest = 10);
 
+  /// A frame drawn now: the whole window with its panels.
+  Image screenshot();
+
   AppContext& context() { return context_; }
   const Layout& layout() const { return layout_; }
   const GlView& view() const { return *view_; }

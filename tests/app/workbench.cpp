@@ -11,6 +11,7 @@
 #include <fstream>
 #include <thread>
 
+#include "app/theme.hpp"
 #include "core/assets.hpp"
 #include "core/charts/image.hpp"
 #include "core/scene/scene_io.hpp"
@@ -151,6 +152,30 @@ TEST_CASE("every shipped scene opens, steps, and shows its material where the sn
     CHECK(inside > 20);  // fitted: the body is in view
     CHECK(shown >= 0.9 * inside);
   }
+}
+
+TEST_CASE("the window shows panels around the view, and the view its material") {
+  NEEDS_DISPLAY();
+  Stage stage(small());
+  REQUIRE(stage.ready());
+  REQUIRE(stage.steps(1));
+  stage.frames(6);
+  const Image window = stage->screenshot();
+  CHECK(window.width == 1280);
+  CHECK(window.height == 800);
+  const auto color = [&](float x, float y) { return window.color(static_cast<int>(x), static_cast<int>(y)); };
+  const auto near = [](Color a, Color b) {
+    return std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b) < 0.02f;
+  };
+  const Palette& p = palette(Theme::dark);
+  CHECK(near(color(2, stage->layout().left.bottom() - 2), p.window));
+  CHECK(near(color(stage->layout().transport.x + 2, stage->layout().transport.y + 2), p.bar));
+  const auto centre = stage->view().to_window(Vec3(0, 0.5, 0));
+  const auto beside = stage->view().to_window(Vec3(0.6, 0.9, 0));
+  REQUIRE(centre);
+  REQUIRE(beside);
+  CHECK_FALSE(near(color(centre->x, centre->y), color(beside->x, beside->y)));
+  CHECK_FALSE(near(color(centre->x, centre->y), {0, 0, 0, 1}));
 }
 
 TEST_CASE("edits reach the simulation, refused ones say where, undo takes them back") {
