@@ -39,18 +39,27 @@ void Parallel::run(int pieces, Call call, void* self) {
   self_ = self;
   pieces_ = pieces;
   next_.store(0, std::memory_order_relaxed);
-  busy_.store(static_cast<int>(helpers_.size()), std::memory_order_relaxed);
+  inside_.store(open, std::memory_order_release);
   generation_.fetch_add(1, std::memory_order_release);
   generation_.notify_all();
   work();
-  for (int spin = 0;; ++spin) {
-    const int left = busy_.load(std::memory_order_acquire);
-    if (left == 0) return;
+  // Nobody joins any more. Helpers that the system has not woken yet are not waited for: on a busy machine that would
+  // cost a time slice a loop.
+  int left = inside_.fetch_sub(open, std::memory_order_acq_rel) - open;
+  for (int spin = 0; left != 0; ++spin) {
     if (spin < spins_before_sleep)
       pause_briefly();
     else
-      busy_.wait(left, std::memory_order_acquire);
+      inside_.wait(left, std::memory_order_acquire);
+    left = inside_.load(std::memory_order_acquire);
   }
+}
+
+bool Parallel::join() {
+  int inside = inside_.load(std::memory_order_acquire);
+  while (inside >= open)
+    if (inside_.compare_exchange_weak(inside, inside + 1, std::memory_order_acq_rel)) return true;
+  return false;
 }
 
 void Parallel::help(const std::stop_token& stop) {
@@ -66,8 +75,9 @@ void Parallel::help(const std::stop_token& stop) {
     }
     if (stop.stop_requested()) return;
     seen = now;
+    if (!join()) continue;
     work();
-    if (busy_.fetch_sub(1, std::memory_order_acq_rel) == 1) busy_.notify_all();
+    if (inside_.fetch_sub(1, std::memory_order_acq_rel) == 1) inside_.notify_all();
   }
 }
 

@@ -40,15 +40,17 @@ class Parallel {
 
  private:
   using Call = void (*)(void*, int);
+  static constexpr int open = 1 << 20;
   void run(int pieces, Call call, void* self);
   void work();
+  bool join();
   void help(const std::stop_token& stop);
 
   Call call_ = nullptr;
   void* self_ = nullptr;
   int pieces_ = 0;
   std::atomic<int> next_{0};
-  std::atomic<int> busy_{0};             ///< helpers that have not finished the current loop
+  std::atomic<int> inside_{0};           ///< helpers at work on the current loop, plus `open` while they may join
   std::atomic<unsigned> generation_{0};  ///< counts loops: helpers wait for it to change
   std::vector<std::jthread> helpers_;
 };

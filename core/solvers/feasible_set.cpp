@@ -11,13 +11,13 @@ namespace {
 /// `subset` receives the faces that hold with equality and push.
 template <int D>
 Vec<D> nearest(const NodeConstraint<D>& c, const Vec<D>& target, const std::array<double, D>& offset,
-               unsigned candidates, unsigned& subset) {
+               unsigned candidates, unsigned required, unsigned& subset) {
   Vec<D> best = target;
   double best_distance = std::numeric_limits<double>::infinity();
   subset = 0;
   const double tolerance = 1e-12 * (1 + target.cwiseAbs().maxCoeff());
   for (unsigned s = 0; s < 1u << c.faces; ++s) {
-    if ((s & candidates) != s) continue;
+    if ((s & candidates) != s || (s & required) != required) continue;
     // Gram-Schmidt over the chosen normals inside the free directions, satisfying each equality in turn.
     Vec<D> u = target;
     std::array<Vec<D>, D> axes;
@@ -49,6 +49,8 @@ Vec<D> nearest(const NodeConstraint<D>& c, const Vec<D>& target, const std::arra
       subset = s;
     }
   }
+  // Faces that cannot hold together (nearly parallel ones) are left to whichever are the nearest.
+  if (required != 0 && !std::isfinite(best_distance)) return nearest<D>(c, target, offset, candidates, 0, subset);
   return best;
 }
 
@@ -65,7 +67,7 @@ void FeasibleSet<D>::project(Vector& u) const {
     auto at = u.segment<D>(c.node * D);
     Vec<D> value = c.free * at + c.given;
     unsigned subset = 0;
-    if (c.faces > 0) value = nearest<D>(c, value, c.offset, all_faces(c), subset);
+    if (c.faces > 0) value = nearest<D>(c, value, c.offset, all_faces(c), 0, subset);
     at = value;
   }
 }
@@ -99,12 +101,18 @@ bool at_rest(const NodeConstraint<D>& c, const Vec<D>& slip) {
 }  // namespace
 
 template <int D>
-void FeasibleSet<D>::project_from(const Vector& from, const Vector& g, Vector& u) const {
-  project(u);
-  for (const NodeConstraint<D>& c : constrained) {
+void FeasibleSet<D>::project_from(const Vector& from, const Vector& g, const std::vector<unsigned>& pressed,
+                                  Vector& u) const {
+  for (std::size_t i = 0; i < constrained.size(); ++i) {
+    const NodeConstraint<D>& c = constrained[i];
+    auto at = u.segment<D>(c.node * D);
+    Vec<D> value = c.free * at + c.given;
+    unsigned subset = 0;
+    if (c.faces > 0) value = nearest<D>(c, value, c.offset, all_faces(c), pressed[i], subset);
+    at = value;
     if (!(c.rub_bound > 0)) continue;
     const Vec<D> before = rub_slip(c, Vec<D>(from.segment<D>(c.node * D)));
-    const Vec<D> value = u.segment<D>(c.node * D), slip = rub_slip(c, value);
+    const Vec<D> slip = rub_slip(c, value);
     Vec<D> heading = before;
     if (at_rest(c, before)) {
       const Vec<D> pull = c.free * -g.segment<D>(c.node * D);
@@ -115,8 +123,10 @@ void FeasibleSet<D>::project_from(const Vector& from, const Vector& g, Vector& u
 }
 
 template <int D>
-void FeasibleSet<D>::active_directions(const Vector& u, Vector& g, std::vector<Mat<D>>& directions) const {
+void FeasibleSet<D>::active_directions(const Vector& u, Vector& g, std::vector<Mat<D>>& directions,
+                                       std::vector<unsigned>& pressed) const {
   directions.resize(constrained.size());
+  pressed.assign(constrained.size(), 0);
   for (std::size_t i = 0; i < constrained.size(); ++i) {
     const NodeConstraint<D>& c = constrained[i];
     directions[i] = c.free;
@@ -127,10 +137,9 @@ void FeasibleSet<D>::active_directions(const Vector& u, Vector& g, std::vector<M
     const Vec<D> value = u.segment<D>(c.node * D);
     if (const unsigned touched = touched_faces(c, value)) {
       // The steepest descent that stays in the set: what of -g the touched faces take away is their reaction.
-      unsigned pressed = 0;
-      nearest<D>(c, Vec<D>(force / -scale), std::array<double, D>{}, touched, pressed);
+      nearest<D>(c, Vec<D>(force / -scale), std::array<double, D>{}, touched, 0, pressed[i]);
       for (int k = 0; k < c.faces; ++k)
-        if (pressed >> k & 1) remove_axis<D>(c.normal[static_cast<std::size_t>(k)], directions[i]);
+        if (pressed[i] >> k & 1) remove_axis<D>(c.normal[static_cast<std::size_t>(k)], directions[i]);
       force = (directions[i] * force).eval();
     }
     if (c.rub_bound > 0 && at_rest(c, rub_slip(c, value))) {

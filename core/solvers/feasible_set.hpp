@@ -44,11 +44,15 @@ class FeasibleSet {
   void project(Vector& u) const;
   /// project(), then stops every rubbing node at rest where the way from `from` along -`g` passes through rest: beyond
   /// the corner the gradient is another one.
-  void project_from(const Vector& from, const Vector& g, Vector& u) const;
+  /// `pressed`, of active_directions, faces that stay touched on the way: a node pressed on one face that meets another
+  /// stops in the corner and does not slide off along the second one, uphill.
+  void project_from(const Vector& from, const Vector& g, const std::vector<unsigned>& pressed, Vector& u) const;
   /// For each constrained node the projector on the directions that a minimiser may still take at u when the gradient
   /// is g: fixed directions, faces that are touched and pressed on, and the slip of nodes that stick are left out. `g`
   /// becomes what these directions leave of it, the smallest subgradient: zero at a minimum.
-  void active_directions(const Vector& u, Vector& g, std::vector<Mat<D>>& directions) const;
+  /// `pressed`: a bit for each face that is touched and pressed on.
+  void active_directions(const Vector& u, Vector& g, std::vector<Mat<D>>& directions,
+                         std::vector<unsigned>& pressed) const;
   /// Zeroes what the projectors leave out.
   void restrict_to(const std::vector<Mat<D>>& directions, Vector& p) const;
 };

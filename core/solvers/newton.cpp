@@ -41,6 +41,7 @@ class Minimiser {
   Vector& u_;
   Vector g_, free_g_, d_, trial_, trial_g_;
   std::vector<Mat<D>> directions_;
+  std::vector<unsigned> pressed_;
   double E_ = 0, residual_ = 0, norm_ = 0, previous_norm_ = 0;
   bool project_ = false;
   double norm_when_projected_ = 0;
@@ -50,7 +51,7 @@ class Minimiser {
 template <int D>
 void Minimiser<D>::reduce() {
   free_g_ = g_;
-  set_.active_directions(u_, free_g_, directions_);
+  set_.active_directions(u_, free_g_, directions_, pressed_);
   norm_ = objective_.norm(free_g_);
   // A problem without any force is solved where it stands.
   const double scale = objective_.scale();
@@ -94,7 +95,7 @@ bool Minimiser<D>::search_energy(NewtonIteration& record, double slope) {
   double alpha = 1;
   for (int k = 0; k < 30; ++k, alpha *= 0.5) {
     trial_ = u_ + alpha * d_;
-    set_.project_from(u_, g_, trial_);
+    set_.project_from(u_, g_, pressed_, trial_);
     // The full step is nearly always taken, and then its gradient is needed next.
     const double E = k == 0 ? objective_.gradient(trial_, trial_g_) : objective_.value(trial_);
     const double decrease = set_.constrained.empty() ? alpha * slope : std::min(0.0, free_g_.dot(trial_ - u_));
@@ -118,11 +119,12 @@ template <int D>
 bool Minimiser<D>::search_residual(NewtonIteration& record) {
   const double before = norm_;
   const Vector start = u_, start_g = g_;
+  const std::vector<unsigned> pressed = pressed_;
   const double start_E = E_;
   double alpha = 1;
   for (int k = 0; k < 8; ++k, alpha *= 0.5) {
     u_ = start + alpha * d_;
-    set_.project_from(start, start_g, u_);
+    set_.project_from(start, start_g, pressed, u_);
     E_ = objective_.gradient(u_, g_);
     const double rounding = 1e-12 * std::max(objective_.energy_scale(), std::abs(start_E));
     if (!std::isfinite(E_) || E_ > start_E + rounding) continue;

@@ -149,6 +149,9 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(double dt, const std:
   guess_friction(set);
   Vector force = loads_.force(plan_, particles_, grid_.mass, stage, parallel_);
   if (known_.manufactured()) known_.add_force(plan_, particles_, laws_, scene_, stage, parallel_, force);
+  if (!force.allFinite() || !grid_.v.allFinite())
+    return {Attempt::failed, "A load, a body force or a particle's velocity is not a finite number at t = " +
+                                 number(stage) + " s: look at the expressions of the scene."};
   const MassMatrix<D> M(plan_, particles_, grid_.mass, scene_.integrator.mass == "consistent", parallel_, work_);
   if (M.consistent()) tell_of_blend(M, report);
   ElasticEnergy<D> elastic(plan_, particles_, laws_, parallel_, work_);

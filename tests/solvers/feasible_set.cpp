@@ -78,14 +78,15 @@ void check_projection(int faces, bool fixed) {
     // At the nearest point nothing of the way to the target is left.
     Vector g = u - target;
     std::vector<Mat<D>> directions;
-    set.active_directions(u, g, directions);
+    std::vector<unsigned> pressed;
+    set.active_directions(u, g, directions, pressed);
     CHECK(g.norm() < 1e-10);
     // Anywhere else in the set something is left, and following it comes nearer.
     Vector other = random.values(D, 2);
     set.project(other);
     if ((other - u).norm() < 1e-3) continue;
     g = other - target;
-    set.active_directions(other, g, directions);
+    set.active_directions(other, g, directions, pressed);
     CHECK(g.norm() > 1e-6);
     Vector step = other - 1e-4 * g;
     set.project(step);
@@ -112,34 +113,35 @@ void check_rubbing() {
   const FeasibleSet<D> set = rubbing_node<D>(3);
   const Vector x = Vector::Unit(D, 0), y = Vector::Unit(D, 1), rest = 0.1 * x;
   std::vector<Mat<D>> directions;
+  std::vector<unsigned> pressed;
   // Pressed down and pulled by less than the bound: it sticks and does not go.
   Vector g = 2.9 * x + 10 * y;
-  set.active_directions(rest, g, directions);
+  set.active_directions(rest, g, directions, pressed);
   CHECK(g.norm() == 0);
   if (D == 2) CHECK(directions[0].norm() < 1e-14);
   // By more: the surplus is what moves it, along the floor.
   g = 5 * x + 10 * y;
-  set.active_directions(rest, g, directions);
+  set.active_directions(rest, g, directions, pressed);
   CHECK((g - 2 * x).norm() < 1e-14);
   // Pulled off the floor nothing presses.
   g = -10 * y;
-  set.active_directions(rest, g, directions);
+  set.active_directions(rest, g, directions, pressed);
   CHECK((g + 10 * y).norm() < 1e-13);
   // A way that leads through rest ends there; one that does not is left alone.
   const Vector right = 0.3 * x, left = -0.2 * x;
   Vector u = left;
-  set.project_from(right, g, u);
+  set.project_from(right, g, pressed, u);
   CHECK((u - rest).norm() < 1e-15);
   u = 0.4 * x;
-  set.project_from(right, g, u);
+  set.project_from(right, g, pressed, u);
   CHECK(u[0] == doctest::Approx(0.4));
   // From rest it may go where the pull leads, not against it.
   const Vector against_x = -5 * x;
   u = right;
-  set.project_from(rest, against_x, u);
+  set.project_from(rest, against_x, pressed, u);
   CHECK(u[0] == doctest::Approx(0.3));
   u = left;
-  set.project_from(rest, against_x, u);
+  set.project_from(rest, against_x, pressed, u);
   CHECK((u - rest).norm() < 1e-15);
 }
 
@@ -177,7 +179,8 @@ TEST_CASE("directions that are left out of a step stay out") {
   Vector u = random.values(3, 2), g = random.values(3, 5), p = random.values(3, 1);
   set.project(u);
   std::vector<Mat<3>> directions;
-  set.active_directions(u, g, directions);
+  std::vector<unsigned> pressed;
+  set.active_directions(u, g, directions, pressed);
   set.restrict_to(directions, p);
   CHECK(p[2] == 0);
   Vector twice = p;

@@ -151,7 +151,7 @@ TEST_CASE("the blend is (1 - a) PIC + a FLIP") {
   }
 }
 
-TEST_CASE("the consistent velocity is the least-squares fit to the particles, also when they are few") {
+TEST_CASE("the consistent velocity is the least-squares fit to the particles, and a blend when they are too few") {
   for (const BasisInfo& basis : bases())
     for (const int count : {1, 3, 200}) {
       CAPTURE(basis.name);
@@ -162,6 +162,8 @@ TEST_CASE("the consistent velocity is the least-squares fit to the particles, al
       double residual = 1;
       M.solve(grid.state.momentum, grid.state.v, residual);
       CHECK(residual < 1e-9);
+      CHECK(grid.state.v.allFinite());
+      if (M.blend() > 0) continue;  // fewer particles than nodes: no longer the fit alone
       std::vector<Vec<2>> fit(grid.particles.size());
       const auto misfit = [&](const Vector& v) {
         gather_field<2>(grid.plan, v, grid.parallel, fit);
@@ -175,7 +177,6 @@ TEST_CASE("the consistent velocity is the least-squares fit to the particles, al
       test::Random random(7);
       for (int k = 0; k < 20; ++k)
         CHECK(misfit(grid.state.v + random.values(grid.unknowns(), 0.05)) >= best - 1e-13 * grid.state.mass.sum());
-      if (count == 1) CHECK(best < 1e-18 * grid.state.mass.sum());
       // Fitted a second time nothing changes: PIC with this velocity does not damp.
       gather_field<2>(grid.plan, grid.state.v, grid.parallel, fit);
       Vector refit = Vector::Zero(grid.unknowns()), b = Vector::Zero(grid.unknowns());
