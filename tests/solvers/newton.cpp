@@ -68,7 +68,8 @@ struct Problem {
     Vector g;
     potential->gradient(u, g);
     std::vector<Mat<D>> directions;
-    set.active_directions(u, g, directions);
+    std::vector<unsigned> pressed;
+    set.active_directions(u, g, directions, pressed);
     return potential->norm(g) / potential->scale();
   }
   double smallest_J() {
