@@ -6,6 +6,7 @@
 #include <new>
 
 #include "app/cli/commands.hpp"
+#include "core/bases/basis.hpp"
 #include "core/build_info.hpp"
 #include "core/output/export.hpp"
 #include "core/params/nearest.hpp"
@@ -29,6 +30,7 @@ struct Parsed {
   std::vector<std::string> sets, files;
   std::string kind;
   RunOptions run;
+  BenchOptions bench;
   std::string images;
   bool version = false;
 };
@@ -126,6 +128,23 @@ void add_run(CLI::App& app, Parsed& parsed) {
   command->footer(exit_statuses);
 }
 
+void add_bench(CLI::App& app, BenchOptions& bench) {
+  CLI::App* command = app.add_subcommand(
+      "bench", "kernels and whole steps, next to this machine's own bandwidth and multiply-add rate");
+  command->add_option("--json", bench.json, "the measurements as a file")->type_name("FILE");
+  command->add_option("--threads", bench.threads, "threads of the kernels; default 1")
+      ->check(whole(1, 1024))
+      ->type_name("N");
+  command->add_option("--particles", bench.particles, "in each case, about; default 100000 in 2D, 500000 in 3D")
+      ->check(whole(100, 100000000))
+      ->type_name("N");
+  command->add_option("--dimension", bench.dimension, "only this one")->check(whole(2, 3))->type_name("2|3");
+  std::vector<std::string> names;
+  for (const BasisInfo& basis : bases()) names.emplace_back(basis.name);
+  command->add_option("--basis", bench.basis, "only this one")->check(one_of(names))->type_name("NAME");
+  command->add_flag("--quick", bench.quick, "small and short: a look, not a measurement");
+}
+
 void add_commands(CLI::App& app, Parsed& parsed) {
   app.add_option("SCENE", parsed.scene, "scene file, or the name of a shipped scene");
   add_sets(app, parsed.sets);
@@ -135,6 +154,7 @@ void add_commands(CLI::App& app, Parsed& parsed) {
   app.footer(exit_statuses);
   app.require_subcommand(0, 1);
   add_run(app, parsed);
+  add_bench(app, parsed.bench);
   CLI::App* check = app.add_subcommand("check", "validate scenes: every problem found, not just the first");
   check->add_option("SCENE", parsed.files, "scene files")->required();
   CLI::App* list = app.add_subcommand("list", "names that a scene may use, one first on each line");
@@ -203,6 +223,7 @@ int dispatch(CLI::App& app, Parsed& parsed) {
   if (app.got_subcommand("check")) return check_scenes(parsed.files);
   if (app.got_subcommand("list")) return list_names(parsed.kind);
   if (app.got_subcommand("schema")) return print_schema();
+  if (app.got_subcommand("bench")) return run_bench(parsed.bench);
   if (is_unknown_command(app, parsed.scene)) return exit_bad_input;
   return open_app(parsed.scene, parsed.sets);
 }

@@ -39,6 +39,15 @@ struct RunOptions {
   std::optional<std::filesystem::path> resume;
 };
 
+struct BenchOptions {
+  std::optional<std::filesystem::path> json;
+  std::optional<int> threads;            ///< 1 when not given
+  std::optional<std::size_t> particles;  ///< in each case, about
+  std::optional<int> dimension;          ///< only this one
+  std::optional<std::string> basis;      ///< only this one
+  bool quick = false;                    ///< small and short
+};
+
 /// The whole command line, without the program's name. Never throws.
 int run_command_line(const std::vector<std::string>& arguments);
 
@@ -46,6 +55,7 @@ int run_scene(const RunOptions& options);
 int check_scenes(const std::vector<std::string>& files);
 int list_names(const std::string& kind);
 int print_schema();
+int run_bench(const BenchOptions& options);
 /// `scene` empty: the welcome scene, without a window where none can be opened.
 int open_app(const std::string& scene, const std::vector<std::string>& sets);
 

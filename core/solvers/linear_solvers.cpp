@@ -2,8 +2,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/solvers/block_jacobi.hpp"
 #include "core/solvers/direct.hpp"
-#include "core/solvers/pcg_jacobi.hpp"
+#include "core/solvers/pcg.hpp"
 
 namespace pf {
 
@@ -20,12 +21,23 @@ std::span<const LinearSolverInfo> linear_solvers() {
 }
 
 template <int D>
+std::unique_ptr<Preconditioner<D>> make_preconditioner(std::string_view name, Parallel& parallel) {
+  if (name == "pcg_jacobi") return std::make_unique<BlockJacobi<D>>(parallel);
+  return nullptr;
+}
+
+template <int D>
 std::unique_ptr<LinearSolver<D>> make_linear_solver(std::string_view name, Parallel& parallel) {
-  if (name == "pcg_jacobi") return std::make_unique<PcgJacobi<D>>(parallel);
+  for (const LinearSolverInfo& info : registry)
+    if (info.name == name)
+      if (auto preconditioner = make_preconditioner<D>(name, parallel))
+        return std::make_unique<Pcg<D>>(info.name, std::move(preconditioner), parallel);
   if (name == "direct") return std::make_unique<DirectSolver<D>>();
   throw std::invalid_argument("unknown linear solver " + std::string(name));
 }
 
+template std::unique_ptr<Preconditioner<2>> make_preconditioner<2>(std::string_view, Parallel&);
+template std::unique_ptr<Preconditioner<3>> make_preconditioner<3>(std::string_view, Parallel&);
 template std::unique_ptr<LinearSolver<2>> make_linear_solver<2>(std::string_view, Parallel&);
 template std::unique_ptr<LinearSolver<3>> make_linear_solver<3>(std::string_view, Parallel&);
 

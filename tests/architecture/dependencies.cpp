@@ -39,6 +39,10 @@ const std::map<std::string, Folders> core_rule{
      {"", "params", "math", "bases", "materials", "grid", "transfers", "energies", "solvers", "integrators", "scene",
       "diagnostics"}},
     {"output", {"", "params", "math", "materials", "scene", "diagnostics"}},
+    // Measures the parts of a step by themselves, so it sees them all.
+    {"bench",
+     {"", "params", "math", "bases", "materials", "grid", "transfers", "energies", "solvers", "integrators", "scene",
+      "diagnostics"}},
     {"lab", {"", "params", "math", "materials", "scene", "diagnostics", "charts", "output"}},
 };
 // Plain types at the top of core that every folder may include.

@@ -24,7 +24,7 @@ TEST_CASE("--version names version, commit and compiler; --help every subcommand
   CHECK(help.status == 0);
   for (const char* command : {"run", "check", "list", "schema"})
     CHECK(contains(help.out, std::string("\n  ") + command));
-  for (const char* unbuilt : {"verify", "study", "compare", "bench"})
+  for (const char* unbuilt : {"verify", "study", "compare"})
     CHECK_FALSE(contains(help.out, std::string("\n  ") + unbuilt));
   for (const char* command : {"run", "check", "list", "schema"}) {
     CAPTURE(command);
@@ -46,7 +46,6 @@ TEST_CASE("bad usage: exit status 2, nothing on stdout, what was found and what 
       {"verify", "is neither a command nor a scene file"},
       {"study", "is neither a command nor a scene file"},
       {"compare a b", "one argument too many"},
-      {"bench", "is neither a command nor a scene file"},
       {"rnu scene.json", "one argument too many"},
       {"chekc", "did you mean check?"},
       {"list colours", "materials"},

@@ -1,0 +1,135 @@
+#include "core/bench/kernels.hpp"
+
+#include "core/bench/body.hpp"
+#include "core/bench/clock.hpp"
+#include "core/energies/inertia.hpp"
+#include "core/solvers/preconditioner.hpp"
+
+namespace pf::bench {
+
+namespace {
+
+template <int D>
+class Kernels {
+ public:
+  Kernels(std::string_view basis, std::size_t about_particles, int threads, double budget)
+      : body_(basis, about_particles, threads), K_(body_.basis.nodes_per_axis), budget_(budget) {
+    result_.dimension = D;
+    result_.basis = basis;
+    result_.threads = threads;
+  }
+  KernelCase run();
+
+ private:
+  template <class Before, class Kernel>
+  void add(const std::string& name, Counts counts, Before&& before, Kernel&& kernel) {
+    const Timing time = measure(result_.threads == 1, budget_, 3, before, kernel);
+    const double each = 1e9 / static_cast<double>(body_.particles.size());
+    result_.kernels.push_back({name, counts, time.median * each, time.least * each, time.repeats});
+  }
+  template <class Kernel>
+  void add(const std::string& name, Counts counts, Kernel&& kernel) {
+    add(
+        name, counts, [] {}, kernel);
+  }
+  void plan_and_transfers();
+  void elastic();
+  void preconditioners(IncrementalPotential<D>& potential, const Vector& g);
+
+  Body<D> body_;
+  int K_;
+  double budget_;
+  KernelCase result_;
+};
+
+template <int D>
+void Kernels<D>::plan_and_transfers() {
+  const double all = 4 * vector_bytes(D) + 2 * matrix_bytes(D) + 2 * 8 + 8;  // every array of a particle, about
+  add("plan, order unchanged", {vector_bytes(D) + weight_bytes(D, K_) + 2 + 12, 0}, [&] { body_.build_plan(); });
+  add(
+      "sort and plan, particles moved", {2 * all + weight_bytes(D, K_) + 24, 0}, [&] { body_.shake(); },
+      [&] { body_.build_plan(); });
+  particles_to_grid(body_.plan, body_.particles, true, body_.parallel, body_.grid);
+  lumped_velocity(body_.plan, body_.particles, body_.grid);
+  body_.grid.u = body_.displacements();
+  body_.grid.v_end = body_.grid.v;
+  const double weights = weight_bytes(D, K_);
+  add("P2G, APIC", {weights / 2 + 2 * vector_bytes(D) + matrix_bytes(D) + 8, stencil_flops(D, K_, D + 1, true, true)},
+      [&] { particles_to_grid(body_.plan, body_.particles, true, body_.parallel, body_.grid); });
+  add("P2G, FLIP", {weights / 2 + vector_bytes(D) + 8, stencil_flops(D, K_, D + 1, true, false)},
+      [&] { particles_to_grid(body_.plan, body_.particles, false, body_.parallel, body_.grid); });
+  const std::unique_ptr<Transfer<D>> apic = make_transfer<D>("apic", 0), flip = make_transfer<D>("flip", 0.95);
+  add("G2P velocities, APIC",
+      {weights / 2 + 2 * vector_bytes(D) + matrix_bytes(D), stencil_flops(D, K_, D, true, true)},
+      [&] { apic->grid_to_particles(body_.plan, body_.grid, body_.particles, body_.parallel); });
+  add("G2P velocities, FLIP", {weights / 2 + 2 * vector_bytes(D), 2 * stencil_flops(D, K_, D, true, false)},
+      [&] { flip->grid_to_particles(body_.plan, body_.grid, body_.particles, body_.parallel); });
+  const Vector still = Vector::Zero(body_.grid.u.size());
+  add("G2P positions and F",
+      {weights + 2 * vector_bytes(D) + 2 * matrix_bytes(D), stencil_flops(D, K_, D, true, true) + 2 * D * D * D},
+      [&] { move_particles(body_.plan, still, body_.parallel, body_.particles); });
+}
+
+template <int D>
+void Kernels<D>::elastic() {
+  ElasticEnergy<D> elastic(body_.plan, body_.particles, body_.laws, body_.parallel, body_.work);
+  const MassMatrix<D> mass(body_.plan, body_.particles, body_.grid.mass, false, body_.parallel, body_.work);
+  Inertia<D> inertia(mass, body_.grid.v, 0.01);
+  IncrementalPotential<D> potential(body_.plan, body_.grid.mass, body_.set, {&inertia, &elastic}, {});
+  const Vector& u = body_.grid.u;
+  Vector g, p = u, Hp(u.size());
+  const double weights = weight_bytes(D, K_), F = matrix_bytes(D), product = 2.0 * D * D * D;
+  const double gather = stencil_flops(D, K_, D, false, true);
+  add("energy", {weights + 2 * F + 16, gather + product}, [&] { potential.value(u); });
+  add("residual and energy", {weights + 3 * F + 24, 2 * gather + 2 * product}, [&] { potential.gradient(u, g); });
+  const double tangent = 8.0 * tangent_components<D>;
+  add("tangents", {2 * F + 8 + tangent, 0}, [&] { potential.prepare_hessian(u, false); });
+  add("tangents, projected", {2 * F + 8 + tangent, 0}, [&] { potential.prepare_hessian(u, true); });
+  add("Hessian product, particles", {weights + tangent, 2 * gather + 2.0 * D * D * D * D}, [&] {
+    Hp.setZero();
+    potential.hessian_product(p, Hp);
+  });
+  std::vector<Mat<D>> blocks(static_cast<std::size_t>(body_.plan.node_count()));
+  const double nodes = D == 2 ? K_ * K_ : K_ * K_ * K_;
+  add("block diagonal", {weights + tangent, nodes * 2 * (D * D * D * D + D * D * D * (D + 1) / 2.0)}, [&] {
+    std::fill(blocks.begin(), blocks.end(), Mat<D>::Zero());
+    potential.diagonal(blocks);
+  });
+  preconditioners(potential, g);
+  result_.bytes = static_cast<double>(body_.plan.bytes()) +
+                  static_cast<double>(body_.particles.size()) * (tangent + 3 * F + 8) +
+                  static_cast<double>(body_.particles.size()) * (3 * vector_bytes(D) + 2 * F + 16 + 8);
+}
+
+template <int D>
+void Kernels<D>::preconditioners(IncrementalPotential<D>& potential, const Vector& g) {
+  for (const LinearSolverInfo& solver : linear_solvers()) {
+    const auto preconditioner = make_preconditioner<D>(solver.name, body_.parallel);
+    if (!preconditioner) continue;
+    const LinearProblem<D> problem{potential, body_.set, {}, g, 0.1, nullptr};
+    preconditioner->new_step();
+    Vector z(g.size());
+    const std::string name(solver.name);
+    add("preconditioner of " + name + ", prepared", {}, [&] { preconditioner->prepare(problem); });
+    add("preconditioner of " + name + ", applied", {}, [&] { preconditioner->apply(problem, g, z); });
+  }
+}
+
+template <int D>
+KernelCase Kernels<D>::run() {
+  plan_and_transfers();
+  elastic();
+  result_.particles = body_.particles.size();
+  result_.nodes = body_.plan.node_count();
+  return std::move(result_);
+}
+
+}  // namespace
+
+KernelCase measure_kernels(int dimension, std::string_view basis, std::size_t about_particles, int threads,
+                           double budget) {
+  return dimension == 2 ? Kernels<2>(basis, about_particles, threads, budget).run()
+                        : Kernels<3>(basis, about_particles, threads, budget).run();
+}
+
+}  // namespace pf::bench

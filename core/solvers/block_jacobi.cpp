@@ -1,0 +1,57 @@
+#include "core/solvers/block_jacobi.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "core/math/vector_ops.hpp"
+
+namespace pf {
+
+template <int D>
+void free_diagonal(const LinearProblem<D>& problem, std::vector<Mat<D>>& blocks) {
+  blocks.assign(static_cast<std::size_t>(problem.g.size() / D), Mat<D>::Zero());
+  problem.objective.diagonal(blocks);
+  for (std::size_t i = 0; i < problem.directions.size(); ++i) {
+    Mat<D>& B = blocks[static_cast<std::size_t>(problem.set.constrained[i].node)];
+    const Mat<D>& Q = problem.directions[i];
+    B = (Q * B * Q + (Mat<D>::Identity() - Q) * std::abs(B.trace()) / D).eval();
+  }
+}
+
+template <int D>
+void invert_diagonal(std::vector<Mat<D>>& blocks) {
+  for (Mat<D>& B : blocks) {
+    const double size = B.trace();
+    if (!(size > 0)) {
+      B.setZero();
+      continue;
+    }
+    const Mat<D> inverse = B.inverse();
+    const bool usable = inverse.allFinite() && inverse.diagonal().minCoeff() > 0;
+    B = usable ? Mat<D>(0.5 * (inverse + inverse.transpose())) : Mat<D>(Mat<D>::Identity() * (D / size));
+  }
+}
+
+template <int D>
+void BlockJacobi<D>::prepare(const LinearProblem<D>& problem) {
+  free_diagonal(problem, inverse_);
+  invert_diagonal<D>(inverse_);
+}
+
+template <int D>
+void BlockJacobi<D>::apply(const LinearProblem<D>& problem, const Vector& r, Vector& z) {
+  for_pieces(parallel_, static_cast<std::ptrdiff_t>(inverse_.size()), [&](std::ptrdiff_t begin, std::ptrdiff_t count) {
+    for (std::ptrdiff_t i = begin; i < begin + count; ++i)
+      z.segment<D>(i * D).noalias() = inverse_[static_cast<std::size_t>(i)] * r.segment<D>(i * D);
+  });
+  problem.set.restrict_to(problem.directions, z);
+}
+
+template void free_diagonal<2>(const LinearProblem<2>&, std::vector<Mat<2>>&);
+template void free_diagonal<3>(const LinearProblem<3>&, std::vector<Mat<3>>&);
+template void invert_diagonal<2>(std::vector<Mat<2>>&);
+template void invert_diagonal<3>(std::vector<Mat<3>>&);
+template class BlockJacobi<2>;
+template class BlockJacobi<3>;
+
+}  // namespace pf

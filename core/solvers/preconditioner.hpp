@@ -1,0 +1,28 @@
+// z = B^-1 r, B symmetric positive definite and close to H on the free directions: what makes conjugate gradients
+// short.
+#pragma once
+
+#include "core/solvers/linear_solver.hpp"
+
+namespace pf {
+
+template <int D>
+class Preconditioner {
+ public:
+  virtual ~Preconditioner() = default;
+  /// Called once for each new Hessian, before apply().
+  virtual void prepare(const LinearProblem<D>& problem) = 0;
+  /// z = B^-1 r; `r` and `z` lie in the free directions, and z depends linearly and symmetrically on r.
+  virtual void apply(const LinearProblem<D>& problem, const Vector& r, Vector& z) = 0;
+  /// The step's nodes have changed: forget what depends on them.
+  virtual void new_step() {}
+};
+
+/// That of a solver by conjugate gradients; nullptr for other solvers.
+template <int D>
+std::unique_ptr<Preconditioner<D>> make_preconditioner(std::string_view solver, Parallel& parallel);
+
+extern template std::unique_ptr<Preconditioner<2>> make_preconditioner<2>(std::string_view, Parallel&);
+extern template std::unique_ptr<Preconditioner<3>> make_preconditioner<3>(std::string_view, Parallel&);
+
+}  // namespace pf
