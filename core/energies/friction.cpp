@@ -27,7 +27,7 @@ double Friction<D>::gradient(const Vector& u, Vector& g, Vector& magnitude) {
     if (!(c.rub_bound > 0)) continue;
     const Vec<D> t = slip_at(c, u);
     const double length = t.norm();
-    if (length > 0) g.segment<D>(c.node * D) += c.rub_bound / length * t;
+    if (!at_rest(c, t, set_.rounding)) g.segment<D>(c.node * D) += c.rub_bound / length * t;
     magnitude[c.node] += c.rub_bound;
   }
   return value(u);
@@ -42,7 +42,7 @@ void Friction<D>::prepare_hessian(const Vector& u, bool) {
     if (!(c.rub_bound > 0)) continue;
     const Vec<D> t = slip_at(c, u);
     const double length = t.norm();
-    if (!(length > 0)) continue;
+    if (at_rest(c, t, set_.rounding)) continue;
     const Mat<D> T = c.free * (Mat<D>::Identity() - c.rub_normal * c.rub_normal.transpose()) * c.free;
     block_.emplace_back(c.node, c.rub_bound / length * (T - t * t.transpose() / (length * length)));
   }

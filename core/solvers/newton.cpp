@@ -22,8 +22,12 @@ class Minimiser {
   /// E and g at u, and what of g the constraints leave: its size is the residual.
   void evaluate();
   void reduce();
+  bool one_sided() const;
+  void measure_stiffness();
   double forcing() const;
   LinearResult solve_for_direction(NewtonIteration& record);
+  LinearResult meet_faces(NewtonIteration& record);
+  void take_diagonal_step();
   bool search(NewtonIteration& record);
   bool search_energy(NewtonIteration& record, double slope);
   bool search_residual(NewtonIteration& record);
@@ -40,8 +44,10 @@ class Minimiser {
   const std::atomic<bool>* cancel_;
   Vector& u_;
   Vector g_, free_g_, d_, trial_, trial_g_;
-  std::vector<Mat<D>> directions_;
-  std::vector<unsigned> pressed_;
+  ActiveSet<D> active_;
+  Vector held_, model_g_, natural_g_;
+  Vector tau_;  ///< of FeasibleSet::natural_residual; empty before the first Hessian and where nothing is one-sided
+  std::vector<Mat<D>> blocks_;
   double E_ = 0, residual_ = 0, norm_ = 0, previous_norm_ = 0;
   bool project_ = false;
   double norm_when_projected_ = 0;
@@ -51,8 +57,14 @@ class Minimiser {
 template <int D>
 void Minimiser<D>::reduce() {
   free_g_ = g_;
-  set_.active_directions(u_, free_g_, directions_, pressed_);
-  norm_ = objective_.norm(free_g_);
+  set_.active_set(u_, free_g_, active_);
+  if (tau_.size() == 0) {
+    norm_ = objective_.norm(free_g_);
+  } else {
+    natural_g_ = free_g_;
+    set_.natural_residual(u_, g_, tau_, natural_g_);
+    norm_ = objective_.norm(natural_g_);
+  }
   // A problem without any force is solved where it stands.
   const double scale = objective_.scale();
   residual_ = norm_ == 0 ? 0 : norm_ / std::max(scale, 1e-300);
@@ -62,6 +74,23 @@ template <int D>
 void Minimiser<D>::evaluate() {
   E_ = objective_.gradient(u_, g_);
   reduce();
+}
+
+template <int D>
+bool Minimiser<D>::one_sided() const {
+  return std::any_of(set_.constrained.begin(), set_.constrained.end(),
+                     [](const NodeConstraint<D>& c) { return c.faces > 0 || c.rub_bound > 0; });
+}
+
+template <int D>
+void Minimiser<D>::measure_stiffness() {
+  blocks_.assign(static_cast<std::size_t>(u_.size() / D), Mat<D>::Zero());
+  objective_.diagonal(blocks_);
+  tau_.resize(u_.size() / D);
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    const double stiffness = blocks_[i].trace() / D;
+    tau_[static_cast<Eigen::Index>(i)] = stiffness > 0 ? 1 / stiffness : 0;
+  }
 }
 
 template <int D>
@@ -78,15 +107,72 @@ LinearResult Minimiser<D>::solve_for_direction(NewtonIteration& record) {
   if (project_ && norm_ < 1e-2 * norm_when_projected_) project_ = false;
   for (;;) {
     objective_.prepare_hessian(u_, project_);
-    const LinearProblem<D> problem{objective_, set_, directions_, free_g_, forcing(), cancel_};
+    if (tau_.size() == 0 && one_sided()) measure_stiffness();
+    const LinearProblem<D> problem{objective_, set_, active_.directions, free_g_, forcing(), cancel_};
     LinearResult solved = linear_.solve(problem, d_);
     record.linear_iterations += solved.iterations;
     record.projected = project_;
     result_.linear_iterations += solved.iterations;
+    if (!solved.cancelled && !solved.negative_curvature && set_.crosses(u_, g_, d_, active_))
+      solved = meet_faces(record);
     if (solved.cancelled || !solved.negative_curvature || project_) return solved;
     project_ = true;
     norm_when_projected_ = norm_;
+    reduce();
   }
+}
+
+/// d_ becomes the minimiser of the quadratic model over the set, found by a primal-dual active set method, or at least
+/// a feasible step on which E falls.
+template <int D>
+LinearResult Minimiser<D>::meet_faces(NewtonIteration& record) {
+  constexpr int most = 12;
+  double accuracy = 0.1;  // of a round's solve, relative to that of a plain Newton step: signs of reactions hang on it
+  LinearResult solved;
+  for (int round = 0; round < most; ++round) {
+    model_g_.setZero(d_.size());
+    objective_.hessian_product(d_, model_g_);
+    const double curvature = d_.dot(model_g_);
+    solved.negative_curvature = !(curvature > 0);
+    if (solved.negative_curvature) return solved;
+    model_g_ += g_;
+    const bool changed = set_.update_active(u_, g_, d_, model_g_, d_.squaredNorm() / curvature, active_, held_);
+    if (!changed && round > 0 && set_.slope(u_, g_, d_) < 0) break;
+    // Go on from what the new active set leaves of the last step: d = held + Q d_last + correction.
+    set_.restrict_to(active_.directions, d_);
+    held_ += d_;
+    model_g_.setZero(d_.size());
+    objective_.hessian_product(held_, model_g_);
+    model_g_ += g_;
+    set_.restrict_to(active_.directions, model_g_);
+    const double left = objective_.norm(model_g_);
+    const double tolerance = accuracy * forcing() * objective_.norm(free_g_) / std::max(left, 1e-300);
+    const LinearProblem<D> problem{objective_, set_, active_.directions, model_g_, std::min(0.5, tolerance), cancel_};
+    solved = linear_.solve(problem, d_);
+    record.linear_iterations += solved.iterations;
+    result_.linear_iterations += solved.iterations;
+    if (solved.cancelled || solved.negative_curvature) return solved;
+    d_ += held_;
+    const bool falls = set_.slope(u_, g_, d_) < 0;
+    if (falls && !set_.crosses(u_, g_, d_, active_)) break;
+    if (!falls) accuracy *= 0.1;
+  }
+  trial_ = u_ + d_;
+  set_.project_from(u_, g_, active_, trial_);
+  d_ = trial_ - u_;
+  return solved;
+}
+
+/// The step of Jacobi's projected method: crude, but E falls along it unless u is the minimum.
+template <int D>
+void Minimiser<D>::take_diagonal_step() {
+  measure_stiffness();
+  d_.resize(u_.size());
+  for (Eigen::Index i = 0; i < tau_.size(); ++i)
+    d_.segment<D>(i * D) = -0.5 * tau_[i] * free_g_.template segment<D>(i * D);
+  trial_ = u_ + d_;
+  set_.project_from(u_, g_, active_, trial_);
+  d_ = trial_ - u_;
 }
 
 template <int D>
@@ -95,11 +181,10 @@ bool Minimiser<D>::search_energy(NewtonIteration& record, double slope) {
   double alpha = 1;
   for (int k = 0; k < 30; ++k, alpha *= 0.5) {
     trial_ = u_ + alpha * d_;
-    set_.project_from(u_, g_, pressed_, trial_);
+    set_.project_from(u_, g_, active_, trial_);
     // The full step is nearly always taken, and then its gradient is needed next.
     const double E = k == 0 ? objective_.gradient(trial_, trial_g_) : objective_.value(trial_);
-    const double decrease = set_.constrained.empty() ? alpha * slope : std::min(0.0, free_g_.dot(trial_ - u_));
-    if (std::isfinite(E) && E <= E_ + sufficient * decrease && (decrease < 0 || E < E_)) {
+    if (std::isfinite(E) && E <= E_ + sufficient * alpha * slope) {
       record.step_length = alpha;
       u_.swap(trial_);
       if (k == 0) {
@@ -119,12 +204,12 @@ template <int D>
 bool Minimiser<D>::search_residual(NewtonIteration& record) {
   const double before = norm_;
   const Vector start = u_, start_g = g_;
-  const std::vector<unsigned> pressed = pressed_;
+  const ActiveSet<D> active = active_;
   const double start_E = E_;
   double alpha = 1;
   for (int k = 0; k < 8; ++k, alpha *= 0.5) {
     u_ = start + alpha * d_;
-    set_.project_from(start, start_g, pressed, u_);
+    set_.project_from(start, start_g, active, u_);
     E_ = objective_.gradient(u_, g_);
     const double rounding = 1e-12 * std::max(objective_.energy_scale(), std::abs(start_E));
     if (!std::isfinite(E_) || E_ > start_E + rounding) continue;
@@ -144,7 +229,7 @@ bool Minimiser<D>::search_residual(NewtonIteration& record) {
 
 template <int D>
 bool Minimiser<D>::search(NewtonIteration& record) {
-  const double slope = free_g_.dot(d_);
+  const double slope = set_.slope(u_, g_, d_);
   if (!(slope < 0) || !d_.allFinite()) return false;
   const bool visible = -slope > 1e-13 * objective_.energy_scale();
   if (visible && search_energy(record, slope)) return true;
@@ -182,6 +267,10 @@ NewtonResult Minimiser<D>::run() {
       const LinearResult again = solve_for_direction(record);
       if (again.cancelled) return finish(NewtonStatus::cancelled);
       moved = !again.negative_curvature && search(record);
+    }
+    if (!moved) {
+      take_diagonal_step();
+      moved = search(record);
     }
     result_.iterations.push_back(record);
     if (!moved) return finish(NewtonStatus::line_search_failed);

@@ -104,6 +104,7 @@ void Conditions<D>::touch(NodeConstraint<D>& c, const Vec<D>& x, const std::vect
 template <int D>
 FeasibleSet<D> Conditions<D>::at(const Plan<D>& plan, double t, double dt) const {
   FeasibleSet<D> set;
+  set.rounding = rounding_of_cell * plan.spacing();
   if (walls_.empty() && fixings_.empty()) return set;
   std::vector<Vec<D>> fixed_move, wall_move;
   for (const Fixing& f : fixings_) fixed_move.push_back(f.velocity.integral(t, dt));

@@ -1,10 +1,11 @@
 #include "app/preferences.hpp"
 
 #include <doctest/doctest.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <fstream>
+
+#include "tests/temporary_folder.hpp"
 
 using namespace pf::app;
 namespace fs = std::filesystem;
@@ -12,10 +13,9 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Scratch {
-  fs::path folder = fs::temp_directory_path() / ("pushforward-preferences-" + std::to_string(getpid()));
+  pf::test::TemporaryFolder scratch;
+  const fs::path& folder = scratch.path();
   PreferenceFolders folders{folder / "config", folder / "state"};
-  Scratch() { fs::remove_all(folder); }
-  ~Scratch() { fs::remove_all(folder); }
 };
 
 }  // namespace

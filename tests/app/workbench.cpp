@@ -4,7 +4,6 @@
 #include <doctest/doctest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -16,6 +15,7 @@
 #include "core/charts/image.hpp"
 #include "core/scene/scene_io.hpp"
 #include "tests/app/display.hpp"
+#include "tests/temporary_folder.hpp"
 
 using namespace pf;
 using namespace pf::app;
@@ -27,11 +27,11 @@ using Clock = std::chrono::steady_clock;
 
 /// A window on a scratch folder. Not shown, so that a person at the machine is not disturbed.
 struct Stage {
-  fs::path folder = fs::temp_directory_path() / ("pushforward-app-" + std::to_string(getpid()));
+  test::TemporaryFolder scratch;
+  const fs::path& folder = scratch.path();
   std::unique_ptr<Workbench> bench;
 
   explicit Stage(const Scene& scene, bool visible = false, float ui_scale = 1) {
-    fs::remove_all(folder);
     fs::create_directories(folder / "pictures");
     Workbench::Setup setup;
     setup.visible = visible;
@@ -45,10 +45,7 @@ struct Stage {
     }
     bench = std::make_unique<Workbench>(scene, fs::path(), setup);
   }
-  ~Stage() {
-    bench.reset();
-    fs::remove_all(folder);
-  }
+  ~Stage() { bench.reset(); }
   Workbench* operator->() { return bench.get(); }
   AppContext& context() { return bench->context(); }
 

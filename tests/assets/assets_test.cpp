@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/scene/scene_io.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace fs = std::filesystem;
 
@@ -18,7 +19,8 @@ TEST_CASE("shipped fonts are found, and their licence with them") {
 }
 
 TEST_CASE("PUSHFORWARD_ASSETS comes first, file by file") {
-  const fs::path folder = fs::temp_directory_path() / "pushforward-assets-test";
+  const pf::test::TemporaryFolder scratch;
+  const fs::path& folder = scratch.path();
   fs::create_directories(folder / "fonts");
   std::ofstream(folder / "fonts" / "OFL.txt") << "mine";
   setenv("PUSHFORWARD_ASSETS", folder.c_str(), 1);
@@ -26,7 +28,6 @@ TEST_CASE("PUSHFORWARD_ASSETS comes first, file by file") {
   CHECK(pf::asset_path("fonts/NotoSans-Bold.ttf") != folder / "fonts/NotoSans-Bold.ttf");
   unsetenv("PUSHFORWARD_ASSETS");
   CHECK(pf::asset_path("fonts/OFL.txt") != folder / "fonts/OFL.txt");
-  fs::remove_all(folder);
 }
 
 TEST_CASE("a missing asset is named with every place that was tried") {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/scene/scene_io.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace fs = std::filesystem;
 using pf::Image;
@@ -28,9 +29,9 @@ Image ramp(int width, int height, bool transparent) {
 }
 
 struct TemporaryFile {
+  pf::test::TemporaryFolder folder;
   fs::path path;
-  explicit TemporaryFile(const char* name) : path(fs::temp_directory_path() / name) {}
-  ~TemporaryFile() { fs::remove(path); }
+  explicit TemporaryFile(const char* name) : path(folder / name) {}
 };
 
 }  // namespace
@@ -69,9 +70,9 @@ TEST_CASE("files that cannot be read or written are FileErrors, and leave nothin
   const TemporaryFile file("pushforward-not-a-picture.png");
   pf::write_atomically(file.path, "this is text, not a picture");
   CHECK_THROWS_AS(pf::read_image(file.path), pf::FileError);
-  const fs::path folder = fs::temp_directory_path() / "pushforward-image-test-folder.png";
+  const pf::test::TemporaryFolder scratch;
+  const fs::path folder = scratch / "folder.png";
   fs::create_directory(folder);
   CHECK_THROWS_AS(pf::write_png(image, folder), pf::FileError);
   CHECK_FALSE(fs::exists(folder.string() + ".part"));
-  fs::remove(folder);
 }

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/files.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace pf::test {
 
@@ -17,34 +18,19 @@ struct Outcome {
 };
 
 /// A folder for one test, gone afterwards.
-class Workplace {
+class Workplace : public TemporaryFolder {
  public:
-  Workplace() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "pushforward-XXXXXX").string();
-    path_ = ::mkdtemp(pattern.data());
-  }
-  ~Workplace() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  Workplace(const Workplace&) = delete;
-  Workplace& operator=(const Workplace&) = delete;
-
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
   /// Writes a file here.
-  void put(const std::string& name, const std::string& text) const { write_atomically(path_ / name, text); }
+  void put(const std::string& name, const std::string& text) const { write_atomically(path() / name, text); }
 
   /// `pushforward ARGUMENTS` in this folder; `arguments` go through the shell. `prefix` comes before the program.
   Outcome run(const std::string& arguments, const std::string& prefix = "") const {
-    const std::string out = (path_ / "stdout.txt").string(), err = (path_ / "stderr.txt").string();
-    const std::string command = "cd '" + path_.string() + "' && env -u DISPLAY -u WAYLAND_DISPLAY " + prefix + " '" +
+    const std::string out = (path() / "stdout.txt").string(), err = (path() / "stderr.txt").string();
+    const std::string command = "cd '" + path().string() + "' && env -u DISPLAY -u WAYLAND_DISPLAY " + prefix + " '" +
                                 PUSHFORWARD_BINARY + "' " + arguments + " >'" + out + "' 2>'" + err + "' </dev/null";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_file(out), read_file(err)};
   }
-
- private:
-  std::filesystem::path path_;
 };
 
 /// A block of 2D material that falls for 0.05 s in 5 steps; 16 particles.

@@ -5,6 +5,7 @@
 
 #include "core/files.hpp"
 #include "core/scene/scene_io.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace pf::test {
 
@@ -25,25 +26,5 @@ inline std::string time_member(double end, double step, double frame) {
   return ", \"time\": {\"end\": " + std::to_string(end) + ", \"step\": " + std::to_string(step) +
          ", \"frame\": " + std::to_string(frame) + "}";
 }
-
-/// An empty folder that goes when it does.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "pushforward-XXXXXX").string();
-    path_ = ::mkdtemp(pattern.data());
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 }  // namespace pf::test

@@ -4,44 +4,31 @@
 #include <fstream>
 
 #include "scene_text.hpp"
+#include "tests/temporary_folder.hpp"
 
 using namespace pf;
 
-namespace {
-
-/// A folder of this test's own, gone after it.
-struct Folder {
-  std::filesystem::path path = std::filesystem::temp_directory_path() / "pushforward_scene_io_test";
-  Folder() {
-    std::filesystem::remove_all(path);
-    std::filesystem::create_directories(path);
-  }
-  ~Folder() { std::filesystem::remove_all(path); }
-};
-
-}  // namespace
-
 TEST_CASE("a saved scene loads equal, leaves no other file and replaces what was there") {
-  const Folder folder;
+  const test::TemporaryFolder folder;
   const Scene scene = parse_scene(full_scene().dump(), "test");
-  std::ofstream(folder.path / "a.json") << "old";
-  save_scene(scene, folder.path / "a.json");
-  CHECK(load_scene(folder.path / "a.json") == scene);
+  std::ofstream(folder / "a.json") << "old";
+  save_scene(scene, folder / "a.json");
+  CHECK(load_scene(folder / "a.json") == scene);
   std::size_t files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder.path)) files += entry.exists();
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) files += entry.exists();
   CHECK(files == 1);
-  CHECK_THROWS_AS(save_scene(scene, folder.path / "none" / "a.json"), FileError);
-  std::filesystem::create_directory(folder.path / "taken");
-  CHECK_THROWS_AS(save_scene(scene, folder.path / "taken"), FileError);
+  CHECK_THROWS_AS(save_scene(scene, folder / "none" / "a.json"), FileError);
+  std::filesystem::create_directory(folder / "taken");
+  CHECK_THROWS_AS(save_scene(scene, folder / "taken"), FileError);
 }
 
 TEST_CASE("what cannot be read as a file is a FileError, what is too large an InputError") {
-  const Folder folder;
-  CHECK_THROWS_AS(load_scene(folder.path / "none.json"), FileError);
-  CHECK_THROWS_AS(load_scene(folder.path), FileError);
+  const test::TemporaryFolder folder;
+  CHECK_THROWS_AS(load_scene(folder / "none.json"), FileError);
+  CHECK_THROWS_AS(load_scene(folder.path()), FileError);
   CHECK_THROWS_AS(load_scene("/dev/zero"), InputError);
-  std::ofstream(folder.path / "empty.json");
-  CHECK_THROWS_AS(load_scene(folder.path / "empty.json"), InputError);
+  std::ofstream(folder / "empty.json");
+  CHECK_THROWS_AS(load_scene(folder / "empty.json"), InputError);
 }
 
 TEST_CASE("scenes are written for people: short objects on a line, defaults left out") {

@@ -146,3 +146,65 @@ TEST_CASE("a block on an incline stays where it is when mu exceeds tan") {
     CHECK(std::abs(test::mean_velocity(*simulation)[0]) < 1e-3);
   }
 }
+
+namespace {
+
+/// A ball above a valley of two walls, neither upright nor at right angles; in 3D a third wall and a smaller ball.
+test::Json valley(int dimension, double mu) {
+  test::Json scene = test::block(dimension);
+  const bool flat = dimension == 2;
+  scene["gravity"] = test::point(dimension, 0, -9.81);
+  scene["grid"]["spacing"] = flat ? 0.05 : 0.1;
+  scene["bodies"][0]["shape"] = {
+      {"type", "ball"}, {"center", test::point(dimension, 0, flat ? 0.75 : 0.6)}, {"radius", flat ? 0.3 : 0.25}};
+  const auto wall = [&](double x, double y, double z) {
+    return test::Json{{"shape",
+                       {{"type", "half_space"},
+                        {"point", test::point(dimension, 0, 0)},
+                        {"normal", test::point(dimension, x, y, z)}}},
+                      {"friction", mu}};
+  };
+  scene["boundaries"] = {wall(0.6, 0.8, 0.1), wall(-0.5, 0.9, 0.2)};
+  if (!flat) scene["boundaries"].push_back(wall(0.1, 0.9, -0.6));
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("oblique walls that meet, smooth or rough, never cost a retry and hold what falls between them") {
+  for (const int dimension : {2, 3})
+    for (const double mu : {0.0, 0.4}) {
+      CAPTURE(dimension);
+      CAPTURE(mu);
+      const auto simulation = test::start(valley(dimension, mu));
+      for (int k = 0; k < (dimension == 2 ? 200 : 80); ++k) {
+        test::run(*simulation, 1);
+        const StepReport& report = simulation->report();
+        REQUIRE_MESSAGE(report.retries == 0, report.warnings.front());
+        REQUIRE(report.residual <= 1e-6);
+      }
+      CHECK(test::mean_velocity(*simulation).norm() < 0.5);  // it fell with nearly 3 m/s and rings
+      CHECK(test::centre(*simulation).head<2>().norm() < 0.6);
+    }
+}
+
+TEST_SUITE("long") {
+  TEST_CASE("no shipped scene needs a retry, at its own tolerance or at 1e-6, smooth or rough") {
+    for (const char* name : {"welcome", "colliding-discs", "drooping-cantilever", "spinning-disc", "stretched-strip",
+                             "twisted-bar", "torus-on-ball"})
+      for (const bool rough : {false, true}) {
+        CAPTURE(name);
+        CAPTURE(rough);
+        std::vector<Edit> edits;
+        if (rough) edits = {parse_set("/solver/newton_tolerance=1e-6")};
+        Scene scene = load_scene(std::string(PUSHFORWARD_SOURCE) + "/assets/scenes/" + name + ".json", edits);
+        if (rough)
+          for (Boundary& wall : scene.boundaries) wall.friction = 0.4;
+        const auto simulation = make_simulation(scene, {2});
+        int retries = 0;
+        while (simulation->step().status == StepStatus::accepted) retries += simulation->report().retries;
+        CHECK(simulation->report().status == StepStatus::finished);
+        CHECK(retries == 0);
+      }
+  }
+}

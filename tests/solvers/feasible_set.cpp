@@ -77,16 +77,15 @@ void check_projection(int faces, bool fixed) {
     if (feasible<D>(c, reference, 1e-8)) CHECK((u - node<D>(reference)).norm() < 1e-6);
     // At the nearest point nothing of the way to the target is left.
     Vector g = u - target;
-    std::vector<Mat<D>> directions;
-    std::vector<unsigned> pressed;
-    set.active_directions(u, g, directions, pressed);
+    ActiveSet<D> active;
+    set.active_set(u, g, active);
     CHECK(g.norm() < 1e-10);
     // Anywhere else in the set something is left, and following it comes nearer.
     Vector other = random.values(D, 2);
     set.project(other);
     if ((other - u).norm() < 1e-3) continue;
     g = other - target;
-    set.active_directions(other, g, directions, pressed);
+    set.active_set(other, g, active);
     CHECK(g.norm() > 1e-6);
     Vector step = other - 1e-4 * g;
     set.project(step);
@@ -112,36 +111,35 @@ template <int D>
 void check_rubbing() {
   const FeasibleSet<D> set = rubbing_node<D>(3);
   const Vector x = Vector::Unit(D, 0), y = Vector::Unit(D, 1), rest = 0.1 * x;
-  std::vector<Mat<D>> directions;
-  std::vector<unsigned> pressed;
+  ActiveSet<D> active;
   // Pressed down and pulled by less than the bound: it sticks and does not go.
   Vector g = 2.9 * x + 10 * y;
-  set.active_directions(rest, g, directions, pressed);
+  set.active_set(rest, g, active);
   CHECK(g.norm() == 0);
-  if (D == 2) CHECK(directions[0].norm() < 1e-14);
+  if (D == 2) CHECK(active.directions[0].norm() < 1e-14);
   // By more: the surplus is what moves it, along the floor.
   g = 5 * x + 10 * y;
-  set.active_directions(rest, g, directions, pressed);
+  set.active_set(rest, g, active);
   CHECK((g - 2 * x).norm() < 1e-14);
   // Pulled off the floor nothing presses.
   g = -10 * y;
-  set.active_directions(rest, g, directions, pressed);
+  set.active_set(rest, g, active);
   CHECK((g + 10 * y).norm() < 1e-13);
   // A way that leads through rest ends there; one that does not is left alone.
   const Vector right = 0.3 * x, left = -0.2 * x;
   Vector u = left;
-  set.project_from(right, g, pressed, u);
+  set.project_from(right, g, active, u);
   CHECK((u - rest).norm() < 1e-15);
   u = 0.4 * x;
-  set.project_from(right, g, pressed, u);
+  set.project_from(right, g, active, u);
   CHECK(u[0] == doctest::Approx(0.4));
   // From rest it may go where the pull leads, not against it.
   const Vector against_x = -5 * x;
   u = right;
-  set.project_from(rest, against_x, pressed, u);
+  set.project_from(rest, against_x, active, u);
   CHECK(u[0] == doctest::Approx(0.3));
   u = left;
-  set.project_from(rest, against_x, pressed, u);
+  set.project_from(rest, against_x, active, u);
   CHECK((u - rest).norm() < 1e-15);
 }
 
@@ -178,13 +176,87 @@ TEST_CASE("directions that are left out of a step stay out") {
   FeasibleSet<3> set = random_node<3>(random, 2, true);
   Vector u = random.values(3, 2), g = random.values(3, 5), p = random.values(3, 1);
   set.project(u);
-  std::vector<Mat<3>> directions;
-  std::vector<unsigned> pressed;
-  set.active_directions(u, g, directions, pressed);
-  set.restrict_to(directions, p);
+  ActiveSet<3> active;
+  set.active_set(u, g, active);
+  set.restrict_to(active.directions, p);
   CHECK(p[2] == 0);
   Vector twice = p;
-  set.restrict_to(directions, twice);
+  set.restrict_to(active.directions, twice);
   CHECK((twice - p).norm() < 1e-14);
-  CHECK((directions[0] * directions[0] - directions[0]).norm() < 1e-14);
+  CHECK((active.directions[0] * active.directions[0] - active.directions[0]).norm() < 1e-14);
+}
+
+TEST_CASE("the natural residual is zero at a minimum, small a hair away from it, and the plain one far away") {
+  const FeasibleSet<2> rubbing = rubbing_node<2>(3);
+  const Vector tau = Vector::Constant(1, 0.01);
+  const auto residual = [&](const Vec<2>& u, const Vec<2>& g) {
+    Vector free = g;
+    ActiveSet<2> active;
+    rubbing.active_set(u, free, active);
+    rubbing.natural_residual(u, g, tau, free);
+    return free.norm();
+  };
+  // Pressed down with 10 N and pulled along with 2 of the 3 N that the floor can hold.
+  CHECK(residual({0.1, 0}, {-2, 10}) == 0);
+  for (const double gap : {1e-4, 1e-7, 1e-10}) {
+    CAPTURE(gap);
+    CHECK(residual({0.1, gap}, {-2, 10}) == doctest::Approx(gap / 0.01).epsilon(1e-6));
+    // Sliding by a hair: g holds the friction, 3 N against the slip.
+    CHECK(residual({0.1 + gap, 0}, {-2 + 3, 10}) == doctest::Approx(gap / 0.01).epsilon(1e-6));
+  }
+  CHECK(residual({0.1, 5}, {-0.5 - 3, 0.7}) == doctest::Approx(std::hypot(0.5 + 3 - 3, 0.7)).epsilon(1e-12));
+}
+
+TEST_CASE("the slope is the derivative along a feasible step, friction's corner included") {
+  const FeasibleSet<2> set = rubbing_node<2>(3);
+  const Vec<2> g(-5, 10), d(0.2, 0.1);
+  CHECK(set.slope(Vec<2>(0.1, 0), g, d) == doctest::Approx(-5 * 0.2 + 10 * 0.1 + 3 * 0.2));
+  CHECK(set.slope(Vec<2>(0.4, 0), g, d) == doctest::Approx(-5 * 0.2 + 10 * 0.1));
+}
+
+TEST_CASE("the active set method finds the minimum of a quadratic over a wedge") {
+  // min (u - a) H (u - a) / 2 with two oblique faces: every sign pattern of the reactions is met, against the best of
+  // all face subsets.
+  test::Random random(5);
+  int corner = 0, face = 0, inside = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    FeasibleSet<2> set;
+    NodeConstraint<2> c;
+    c.faces = 2;
+    c.normal[0] = Vec<2>(0.6, 0.8);
+    c.normal[1] = Vec<2>(-0.5, 0.9).normalized();
+    set.constrained.push_back(c);
+    Mat<2> H = Mat<2>::Identity();
+    H(0, 1) = H(1, 0) = 0.8;
+    const Vec<2> a = random.vector<2>(2);
+    Vector u = random.values(2, 1);
+    set.project(u);
+    const Vector g = H * (Vec<2>(u) - a);
+    ActiveSet<2> active;
+    Vector free = g;
+    set.active_set(u, free, active);
+    Vector held = Vector::Zero(2), d = held;
+    bool settled = false;
+    for (int round = 0; round < 10 && !settled; ++round) {
+      // Minimise over the directions: Q H Q e = -Q (g + H held), on the range of Q.
+      const Mat<2> Q = active.directions[0];
+      const Mat<2> A = Q * H * Q + (Mat<2>::Identity() - Q);
+      d = held + Q * A.inverse() * (-(Q * (Vec<2>(g) + H * Vec<2>(held))));
+      const Vector r = Vec<2>(g) + H * Vec<2>(d);
+      settled = !set.update_active(u, g, d, r, 1, active, held);
+    }
+    REQUIRE(settled);
+    const Vec<2> best = Vec<2>(u) + Vec<2>(d);
+    const auto E = [&](const Vec<2>& x) { return 0.5 * (x - a).dot(H * (x - a)); };
+    for (int k = 0; k < 40; ++k) {
+      Vector other = best + random.vector<2>(k < 20 ? 1 : 1e-3);
+      set.project(other);
+      CHECK(E(other) >= E(best) - 1e-12);
+    }
+    const int pressed = (active.pressed[0] & 1) + (active.pressed[0] >> 1 & 1);
+    (pressed == 2 ? corner : pressed == 1 ? face : inside) += 1;
+  }
+  CHECK(corner > 10);
+  CHECK(face > 10);
+  CHECK(inside > 10);
 }

@@ -67,9 +67,8 @@ struct Problem {
   double residual() {
     Vector g;
     potential->gradient(u, g);
-    std::vector<Mat<D>> directions;
-    std::vector<unsigned> pressed;
-    set.active_directions(u, g, directions, pressed);
+    ActiveSet<D> active;
+    set.active_set(u, g, active);
     return potential->norm(g) / potential->scale();
   }
   double smallest_J() {
