@@ -20,7 +20,8 @@ constexpr const char* about =
     "Pushforward: an interactive workbench for the implicit material point method.\n"
     "Without a subcommand, opens the app on SCENE, or on the welcome scene.";
 constexpr const char* exit_statuses =
-    "Exit status: 0 done; 2 bad usage or bad input; 3 the simulation could not go on; 4 a file could not be read or "
+    "Exit status: 0 done; 1 a comparison failed; 2 bad usage or bad input; 3 the simulation could not go on; 4 a file "
+    "could not be read or "
     "written; 130 interrupted.";
 constexpr const char* set_help =
     "override a scene value: /pointer=VALUE, for instance /time/step=0.005; may be repeated";
@@ -31,6 +32,7 @@ struct Parsed {
   std::string kind;
   RunOptions run;
   BenchOptions bench;
+  CompareOptions compare;
   std::string images;
   bool version = false;
 };
@@ -56,6 +58,17 @@ CLI::Validator above_zero() {
         return CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0
                    ? ""
                    : "found \"" + text + "\"; allowed: a number of seconds above 0";
+      },
+      "");
+}
+
+CLI::Validator not_negative() {
+  return CLI::Validator(
+      [](std::string& text) -> std::string {
+        double value = 0;
+        return CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value >= 0
+                   ? ""
+                   : "found \"" + text + "\"; allowed: a number >= 0";
       },
       "");
 }
@@ -145,6 +158,22 @@ void add_bench(CLI::App& app, BenchOptions& bench) {
   command->add_flag("--quick", bench.quick, "small and short: a look, not a measurement");
 }
 
+void add_compare(CLI::App& app, CompareOptions& compare) {
+  CLI::App* command = app.add_subcommand("compare", "two run folders, field by field and in time");
+  command->add_option("A", compare.a, "folder that run --out wrote")->required();
+  command->add_option("B", compare.b, "the other one")->required();
+  command
+      ->add_option("--tolerance", compare.tolerance,
+                   "largest relative difference that still passes; default 0: the same numbers")
+      ->check(not_negative())
+      ->type_name("T");
+  command->footer(
+      "Each field's largest difference, relative to the largest value it has in either run (positions: to the largest\n"
+      "displacement), and when it was. Rows are matched in time, exported particles one by one. Wall times are left\n"
+      "out; iterations, step sizes and errors against an exact motion are shown but not judged. Exit status: 0 within "
+      "the tolerance; 1 above it; 2 bad input; 4 a file could not be read.");
+}
+
 void add_commands(CLI::App& app, Parsed& parsed) {
   app.add_option("SCENE", parsed.scene, "scene file, or the name of a shipped scene");
   add_sets(app, parsed.sets);
@@ -157,6 +186,7 @@ void add_commands(CLI::App& app, Parsed& parsed) {
   add_bench(app, parsed.bench);
   CLI::App* check = app.add_subcommand("check", "validate scenes: every problem found, not just the first");
   check->add_option("SCENE", parsed.files, "scene files")->required();
+  add_compare(app, parsed.compare);
   CLI::App* list = app.add_subcommand("list", "names that a scene may use, one first on each line");
   list->add_option("KIND", parsed.kind, "what to list")->required()->check(one_of(list_kinds()));
   app.add_subcommand("schema", "JSON Schema of the scene file");
@@ -221,6 +251,7 @@ int dispatch(CLI::App& app, Parsed& parsed) {
     return run_scene(parsed.run);
   }
   if (app.got_subcommand("check")) return check_scenes(parsed.files);
+  if (app.got_subcommand("compare")) return compare_folders(parsed.compare);
   if (app.got_subcommand("list")) return list_names(parsed.kind);
   if (app.got_subcommand("schema")) return print_schema();
   if (app.got_subcommand("bench")) return run_bench(parsed.bench);

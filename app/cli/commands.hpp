@@ -46,6 +46,9 @@ struct BenchOptions {
   std::optional<int> dimension;          ///< only this one
   std::optional<std::string> basis;      ///< only this one
   bool quick = false;                    ///< small and short
+struct CompareOptions {
+  std::filesystem::path a, b;
+  double tolerance = 0;  ///< of the largest relative difference
 };
 
 /// The whole command line, without the program's name. Never throws.
@@ -53,6 +56,7 @@ int run_command_line(const std::vector<std::string>& arguments);
 
 int run_scene(const RunOptions& options);
 int check_scenes(const std::vector<std::string>& files);
+int compare_folders(const CompareOptions& options);
 int list_names(const std::string& kind);
 int print_schema();
 int run_bench(const BenchOptions& options);
