@@ -33,6 +33,7 @@ struct Parsed {
   RunOptions run;
   BenchOptions bench;
   CompareOptions compare;
+  StudyRunOptions study;
   std::string images;
   bool version = false;
 };
@@ -158,6 +159,20 @@ void add_bench(CLI::App& app, BenchOptions& bench) {
   command->add_flag("--quick", bench.quick, "small and short: a look, not a measurement");
 }
 
+void add_study(CLI::App& app, StudyRunOptions& study) {
+  CLI::App* command = app.add_subcommand("study", "sweep: speed against accuracy, stability maps");
+  command->add_option("STUDY", study.studies, "study files, or names of shipped studies")->required();
+  command->add_option("--out", study.out, "folder for results.csv, charts and best.json; a study cut off goes on there")
+      ->required()
+      ->type_name("DIR");
+  command->add_option("--jobs", study.jobs, "runs at a time, where they are not timed; default 1")
+      ->check(whole(1, 1024))
+      ->type_name("N");
+  command->add_flag("--fresh", study.fresh, "replace what an earlier study left in the folder");
+  command->add_flag("--quiet", study.quiet, "only warnings and errors");
+  command->footer(exit_statuses);
+}
+
 void add_compare(CLI::App& app, CompareOptions& compare) {
   CLI::App* command = app.add_subcommand("compare", "two run folders, field by field and in time");
   command->add_option("A", compare.a, "folder that run --out wrote")->required();
@@ -186,6 +201,7 @@ void add_commands(CLI::App& app, Parsed& parsed) {
   add_bench(app, parsed.bench);
   CLI::App* check = app.add_subcommand("check", "validate scenes: every problem found, not just the first");
   check->add_option("SCENE", parsed.files, "scene files")->required();
+  add_study(app, parsed.study);
   add_compare(app, parsed.compare);
   CLI::App* list = app.add_subcommand("list", "names that a scene may use, one first on each line");
   list->add_option("KIND", parsed.kind, "what to list")->required()->check(one_of(list_kinds()));
@@ -251,6 +267,7 @@ int dispatch(CLI::App& app, Parsed& parsed) {
     return run_scene(parsed.run);
   }
   if (app.got_subcommand("check")) return check_scenes(parsed.files);
+  if (app.got_subcommand("study")) return run_studies(parsed.study);
   if (app.got_subcommand("compare")) return compare_folders(parsed.compare);
   if (app.got_subcommand("list")) return list_names(parsed.kind);
   if (app.got_subcommand("schema")) return print_schema();

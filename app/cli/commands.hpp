@@ -46,9 +46,18 @@ struct BenchOptions {
   std::optional<int> dimension;          ///< only this one
   std::optional<std::string> basis;      ///< only this one
   bool quick = false;                    ///< small and short
+};
+
 struct CompareOptions {
   std::filesystem::path a, b;
   double tolerance = 0;  ///< of the largest relative difference
+};
+
+struct StudyRunOptions {
+  std::vector<std::string> studies;  ///< files, or names of shipped studies
+  std::filesystem::path out;         ///< with several studies, each gets a folder of its name in it
+  int jobs = 1;
+  bool fresh = false, quiet = false;
 };
 
 /// The whole command line, without the program's name. Never throws.
@@ -56,6 +65,7 @@ int run_command_line(const std::vector<std::string>& arguments);
 
 int run_scene(const RunOptions& options);
 int check_scenes(const std::vector<std::string>& files);
+int run_studies(const StudyRunOptions& options);
 int compare_folders(const CompareOptions& options);
 int list_names(const std::string& kind);
 int print_schema();

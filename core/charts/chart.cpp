@@ -34,6 +34,35 @@ std::string heading(const Axis& axis, const char* otherwise) {
   return csv_field(title.empty() ? otherwise : title);
 }
 
+/// A value and its error bar; without one both ends are the value.
+struct Interval {
+  double value, low, high;
+};
+struct Candidate {
+  PointId id;
+  Interval x, y;
+};
+
+Candidate candidate(const Series& series, PointId id) {
+  const auto interval = [&](const auto& values, const auto& low, const auto& high) {
+    const double value = values[id.index];
+    const bool has = id.index < low.size() && id.index < high.size();
+    return Interval{value, has ? std::fmin(low[id.index], value) : value,
+                    has ? std::fmax(high[id.index], value) : value};
+  };
+  return {id, interval(series.x, series.x_low, series.x_high), interval(series.y, series.y_low, series.y_high)};
+}
+/// `ties` is a share of the larger size; for values of one sign.
+double slack(double a, double b, double ties) {
+  return ties * std::max(std::abs(a), std::abs(b));
+}
+bool better(const Interval& a, const Interval& b, double ties) {
+  return a.high + slack(a.high, b.low, ties) < b.low;
+}
+bool as_good(const Interval& a, const Interval& b, double ties) {
+  return a.low <= b.high + slack(a.low, b.high, ties);
+}
+
 }  // namespace
 
 std::vector<PointId> pareto_front(const Chart& chart) {
@@ -45,13 +74,18 @@ std::vector<PointId> pareto_front(const Chart& chart) {
       if (has_place(series.x[k], chart.x.scale) && has_place(series.y[k], chart.y.scale)) candidates.push_back({s, k});
     }
   }
-  const auto x = [&](PointId p) { return chart.series[p.series].x[p.index]; };
-  const auto y = [&](PointId p) { return chart.series[p.series].y[p.index]; };
-  std::ranges::stable_sort(candidates, [&](PointId a, PointId b) { return x(a) != x(b) ? x(a) < x(b) : y(a) < y(b); });
+  std::vector<Candidate> all;
+  for (const PointId p : candidates) all.push_back(candidate(chart.series[p.series], p));
+  std::ranges::stable_sort(all, [](const Candidate& a, const Candidate& b) {
+    return a.x.value != b.x.value ? a.x.value < b.x.value : a.y.value < b.y.value;
+  });
+  const double ties = std::max(0.0, chart.pareto_ties);
   std::vector<PointId> front;
-  for (const PointId p : candidates) {
-    const bool equal = !front.empty() && x(front.back()) == x(p) && y(front.back()) == y(p);
-    if (front.empty() || y(p) < y(front.back()) || equal) front.push_back(p);
+  for (const Candidate& p : all) {
+    const bool beaten = std::ranges::any_of(all, [&](const Candidate& q) {
+      return as_good(q.x, p.x, ties) && as_good(q.y, p.y, ties) && (better(q.x, p.x, ties) || better(q.y, p.y, ties));
+    });
+    if (!beaten) front.push_back(p.id);
   }
   return front;
 }

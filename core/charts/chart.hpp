@@ -40,6 +40,7 @@ struct Series {
   bool dashed = false;
   bool pinned = false;      ///< an earlier run: grey, behind the others
   bool right_axis = false;  ///< belongs to Chart::right
+  bool outlined = false;    ///< a rim in the surface's colour: readable over cells of any colour
   MarkShape mark = MarkShape::circle;
 };
 
@@ -65,7 +66,7 @@ struct SlopeTriangle {
   double decades = 0.5;                  ///< width
 };
 
-enum class Hatch { none, rising, falling, crossed, dotted };
+enum class Hatch { none, rising, falling, crossed, dotted, horizontal };
 
 /// A filled rectangle of a heat map or a bar.
 struct Cell {
@@ -103,6 +104,7 @@ struct Chart {
   std::optional<ColorBar> color_bar = {};
   LegendPlace legend = LegendPlace::automatic;
   bool mark_pareto = false;  ///< ring the points that no other beats in both x and y (less is better), join them
+  double pareto_ties = 0;    ///< values that differ by less than this share are ties; so are overlapping error bars
 };
 
 /// A series and an index in it.
@@ -111,8 +113,9 @@ struct PointId {
   bool operator==(const PointId&) const = default;
 };
 
-/// The points of left-axis series that are not pinned, for which no other point has x and y both as small and one
-/// smaller, by rising x. Places that are not finite (or not positive on a logarithmic axis) do not count.
+/// The points of left-axis series that are not pinned, for which no other point is as good in x and y and better in
+/// one, by rising x. Better means smaller by more than Chart::pareto_ties and beyond both error bars. Places that are
+/// not finite (or not positive on a logarithmic axis) do not count.
 std::vector<PointId> pareto_front(const Chart& chart);
 
 /// All points as CSV with 17 digits: series,<x>,<y>, and the error bars' ends where a series has them.

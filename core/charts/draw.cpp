@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/charts/placing.hpp"
 
@@ -122,6 +123,9 @@ class Drawing {
         }
       }
     }
+    for (float y = std::ceil(box.min.y / spacing) * spacing; kind == Hatch::horizontal && y < box.max.y; y += spacing) {
+      line({box.min.x, crisp(y)}, {box.max.x, crisp(y)}, ink);
+    }
     const auto stripes = [&](bool rising) {
       // Lines x + y = const (rising) or x - y = const, at multiples of the spacing so that neighbours join.
       const float step = spacing * 1.41421356f, h = box.height();
@@ -234,6 +238,9 @@ class Drawing {
     const Color color = series_color(chart_, theme_, index);
     error_bars(index, with_alpha(color, 0.75f));
     const float width = s.pinned ? 0.8f * theme_.line_width : theme_.line_width;
+    if (s.outlined)
+      for (const auto& piece : layout_.series[index].lines)
+        painter_.polyline(piece, with_alpha(theme_.panel, 0.9f), width + 3);
     for (const auto& piece : layout_.series[index].lines) painter_.polyline(piece, color, width, s.dashed ? 6 : 0);
     const float radius = s.style == SeriesStyle::line ? 0.5f * width : mark_radius(s);
     for (const Point2 at : layout_.series[index].marks)
@@ -243,14 +250,19 @@ class Drawing {
   void pareto() {
     const std::vector<PointId> front = pareto_front(chart_);
     std::vector<Point2> steps;
+    double lowest = std::numeric_limits<double>::infinity();
     for (const PointId id : front) {
+      // Ties are ringed too; the line goes along the best of them.
+      const double value = chart_.series[id.series].y[id.index];
+      if (!(value < lowest)) continue;
+      lowest = value;
       // Beyond the plot only the direction counts.
       Point2 p = layout_.place(chart_, id);
       p = {std::clamp(p.x, plot_.min.x - 99, plot_.max.x + 99), std::clamp(p.y, plot_.min.y - 99, plot_.max.y + 99)};
       if (!steps.empty()) steps.push_back({p.x, steps.back().y});
       steps.push_back(p);
     }
-    if (front.size() > 1) painter_.polyline(steps, theme_.text, 1, 3);
+    if (steps.size() > 1) painter_.polyline(steps, theme_.text, 1, 3);
     for (const PointId id : front) {
       const Point2 p = layout_.place(chart_, id);
       if (plot_.grown(0.5f).contains(p)) {
