@@ -22,11 +22,10 @@ TEST_CASE("--version names version, commit and compiler; --help every subcommand
   CHECK(contains(version.out, "pushforward 0.1.0 (commit "));
   const Outcome help = here.run("--help");
   CHECK(help.status == 0);
-  for (const char* command : {"run", "check", "list", "schema"})
+  for (const char* command : {"run", "check", "study", "compare", "list", "schema"})
     CHECK(contains(help.out, std::string("\n  ") + command));
-  for (const char* unbuilt : {"verify", "study", "compare"})
-    CHECK_FALSE(contains(help.out, std::string("\n  ") + unbuilt));
-  for (const char* command : {"run", "check", "list", "schema"}) {
+  for (const char* unbuilt : {"verify"}) CHECK_FALSE(contains(help.out, std::string("\n  ") + unbuilt));
+  for (const char* command : {"run", "check", "study", "compare", "list", "schema"}) {
     CAPTURE(command);
     const Outcome own = here.run(std::string(command) + " --help");
     CHECK(own.status == 0);
@@ -44,8 +43,10 @@ TEST_CASE("bad usage: exit status 2, nothing on stdout, what was found and what 
       {"run scene.json --setps 3", "did you mean --steps?"},
       {"run", "SCENE is required"},
       {"verify", "is neither a command nor a scene file"},
-      {"study", "is neither a command nor a scene file"},
-      {"compare a b", "one argument too many"},
+      {"study", "STUDY is required"},
+      {"study a.json", "--out is required"},
+      {"compare a", "B is required"},
+      {"compare a b c", "one argument too many"},
       {"rnu scene.json", "one argument too many"},
       {"chekc", "did you mean check?"},
       {"list colours", "materials"},
