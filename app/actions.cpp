@@ -7,6 +7,7 @@
 #include "core/assets.hpp"
 #include "core/build_info.hpp"
 #include "core/diagnostics/fields.hpp"
+#include "core/files.hpp"
 #include "render/picture.hpp"
 
 namespace pf::app {
@@ -41,15 +42,6 @@ fs::path picture_folder() {
   return fs::current_path(error);
 }
 
-/// The first of name.png, name-2.png, ... that does not exist.
-fs::path free_name(const fs::path& folder, const std::string& name, const std::string& extension) {
-  std::error_code error;
-  for (int n = 1;; ++n) {
-    fs::path file = folder / (name + (n > 1 ? "-" + std::to_string(n) : "") + extension);
-    if (!fs::exists(file, error)) return file;
-  }
-}
-
 fs::path scenes_folder() {
   try {
     return asset_path("scenes");
@@ -61,6 +53,7 @@ fs::path scenes_folder() {
 }  // namespace
 
 void Workbench::set_actions() {
+  context_.save_folder = setup_.pictures.empty() ? picture_folder() : setup_.pictures;
   context_.change = [this](const std::vector<Edit>& edits) { return change(edits); };
   context_.open_file = [this](const fs::path& file) { open_file(file); };
   context_.ask_open = [this] { act(Action::open); };
@@ -118,8 +111,7 @@ void Workbench::act(Action action, int index) {
                         if (const std::string w = session_.recording_warning(); !w.empty()) notices_.add(w);
                       });
     case Action::picture:
-      picture_wanted_ =
-          free_name(setup_.pictures.empty() ? picture_folder() : setup_.pictures, kebab(context_.scene.name), ".png");
+      picture_wanted_ = free_file(context_.save_folder, kebab(context_.scene.name), ".png");
       break;
     case Action::export_picture:
       return ask_picture();
@@ -317,7 +309,7 @@ void Workbench::ask_save(const std::string& title, const std::string& extension,
 }
 
 void Workbench::ask_picture() {
-  ask_save("Save picture", ".png", picture_folder() / (kebab(context_.scene.name) + ".png"),
+  ask_save("Save picture", ".png", context_.save_folder / (kebab(context_.scene.name) + ".png"),
            [this](const fs::path& file) {
              picture_wanted_ = file;
              settle_ = 3;

@@ -53,6 +53,7 @@ struct AppContext {
   Scene scene;
   std::filesystem::path scene_file;  ///< empty: not saved yet
   bool unsaved = false;
+  std::filesystem::path save_folder;  ///< where pictures and plots go without asking
 
   ViewState view;
   std::shared_ptr<const Snapshot> snapshot;  ///< this frame's; may be null

@@ -14,7 +14,8 @@
 namespace pf::app {
 namespace {
 
-constexpr float click_slop = 3;  // pixels that a click may wander
+constexpr float click_slop = 3;                        // pixels that a click may wander
+constexpr std::chrono::milliseconds still_after{250};  // a picture that stays is worth its full quality
 constexpr double zoom_a_notch = 1.15;
 constexpr double radians_per_pixel = 0.008;
 
@@ -85,22 +86,42 @@ void GlView::follow_camera(const Snapshot& snapshot) {
   if (fit_wanted_ || other_kind) {
     fitted_ = scene_bounds(snapshot);
     dimension_ = snapshot.dimension;
+    fitted_size_ = fitted_.size().maxCoeff();
     fit_wanted_ = false;
     follow_size_ = true;
     camera_ = fitted_camera(dimension_, fitted_, size_, margins());
   } else if (follow_size_) {
+    // Bodies that move out of sight take the view with them; not while the mouse pulls at them.
+    const bool moved = !shown_ || shown_->snapshot.get() != &snapshot;
+    const ViewBounds body = moved && !held_ ? particle_bounds(snapshot) : fitted_;
+    if (!in_sight(body)) fitted_ = widened(fitted_, body, fitted_size_);
     std::visit([&](auto& camera) { camera.fit(fitted_, size_, margins()); }, camera_);
   }
+}
+
+bool GlView::in_sight(const ViewBounds& bounds) const {
+  const ViewMargins m = margins();
+  for (int corner = 0; corner < 8; ++corner) {
+    const auto end = [&](int axis) { return corner >> axis & 1 ? bounds.max[axis] : bounds.min[axis]; };
+    const auto pixel = to_pixel(camera_, {end(0), end(1), end(2)}, size_);
+    if (!pixel || pixel->x() < m.left - 1 || pixel->x() > size_.width - m.right + 1 || pixel->y() < m.top - 1 ||
+        pixel->y() > size_.height - m.bottom + 1)
+      return false;
+  }
+  return true;
 }
 
 void GlView::draw(const AppContext& context) {
   if (!context.snapshot || where_.empty()) return;
   follow_camera(*context.snapshot);
   if (!target_ || target_->size() != size_) {
-    target_.emplace(size_);
+    target_.emplace(size_, 1);
     shown_.reset();
   }
-  const Shown wanted{context.snapshot, render_options(context, pixels_per_unit_ * overlay_scale()), camera_};
+  Shown wanted{context.snapshot, render_options(context, pixels_per_unit_ * overlay_scale()), camera_};
+  if (shown_) wanted.options.in_motion = shown_->options.in_motion;
+  if (shown_ != wanted) changed_at_ = Clock::now();
+  wanted.options.in_motion = software() && dimension_ == 3 && Clock::now() < changed_at_ + still_after;
   const bool anew = shown_ != wanted;
   if (anew) {
     target_->bind();
@@ -111,6 +132,11 @@ void GlView::draw(const AppContext& context) {
   const auto whole = [](float v) { return static_cast<int>(std::lround(v)); };
   target_->copy_to(whole(where_.x * pixels_per_unit_), whole(framebuffer_height_ - where_.bottom() * pixels_per_unit_),
                    anew);
+}
+
+std::optional<double> GlView::refines_in() const {
+  if (!shown_ || !shown_->options.in_motion) return std::nullopt;
+  return std::max(0.0, std::chrono::duration<double>(changed_at_ + still_after - Clock::now()).count());
 }
 
 std::optional<Point2> GlView::to_window(const Vec3& point) const {

@@ -1,6 +1,7 @@
 // The view: draws the newest snapshot with render/, moves the camera and feeds the mouse to the tool in hand.
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -44,6 +45,8 @@ class GlView {
   void cancel_tool(AppContext& context);
   /// Drawn by the processor, not by a graphics card.
   bool software() const { return renderer_.software(); }
+  /// Seconds until the last picture, drawn in haste, deserves a better one; nothing when it is as good as can be.
+  std::optional<double> refines_in() const;
   bool tool_holds() const { return held_; }
   const Camera& camera() const { return camera_; }
   const Rect& place() const { return where_; }
@@ -52,6 +55,7 @@ class GlView {
   std::optional<Point2> to_window(const Vec3& point) const;
 
  private:
+  using Clock = std::chrono::steady_clock;
   friend class CameraMap;
   void draw_tool(AppContext& context, ImDrawList& list);
   ViewMouse mouse_now(const AppContext& context, bool pick) const;
@@ -71,10 +75,13 @@ class GlView {
     bool operator==(const Shown&) const = default;
   };
   void follow_camera(const Snapshot& snapshot);
+  /// Whether all corners are in the picture, clear of what is written over it.
+  bool in_sight(const ViewBounds& bounds) const;
 
   Renderer renderer_;
   std::optional<OffscreenTarget> target_;
   std::optional<Shown> shown_;
+  Clock::time_point changed_at_{};  ///< when what is shown last changed
   Camera camera_ = Camera2D{};
   std::vector<std::unique_ptr<Tool>> tools_;
   std::size_t tool_ = 0;
@@ -85,6 +92,7 @@ class GlView {
   bool fit_wanted_ = true;
   bool follow_size_ = true;  ///< the camera is still the fitted one
   ViewBounds fitted_;        ///< what it was fitted to
+  double fitted_size_ = 1;   ///< their largest extent at first
   int dimension_ = 0;        ///< of the snapshot that the camera is for
   enum class Drag { none, tool, pan, orbit } drag_ = Drag::none;
   bool held_ = false;  ///< the tool has the mouse

@@ -90,6 +90,7 @@ double Workbench::patience(double longest) const {
   double seconds = longest;
   if (notices_.any() || context_.status.step_in_flight) seconds = std::min(seconds, 0.2);
   if (ImGui::GetIO().WantTextInput) seconds = std::min(seconds, 0.25);  // the cursor blinks
+  if (view_) seconds = std::min(seconds, view_->refines_in().value_or(seconds));
   return seconds;
 }
 
@@ -102,7 +103,8 @@ bool Workbench::frame(double longest) {
   const auto seen = context_.snapshot;
   follow_session();
   const bool changed = (news && !same_news(before, context_.status)) || seen != context_.snapshot;
-  const bool timed = notices_.expire() || ImGui::GetIO().WantTextInput;
+  const bool refine = view_ && view_->refines_in() == 0.0;
+  const bool timed = notices_.expire() || ImGui::GetIO().WantTextInput || refine;
   if (changed || timed || !same_news(before, context_.status)) settle_ = std::max(settle_, 1);
   if (settle_ > 0 && !leaving_) {
     --settle_;

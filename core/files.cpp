@@ -85,6 +85,15 @@ void make_folder(const fs::path& path) {
   if (error) refuse(path, "this folder cannot be made", error.value());
 }
 
+std::filesystem::path free_file(const std::filesystem::path& folder, const std::string& stem,
+                                const std::string& extension) {
+  std::error_code error;
+  for (int k = 1;; ++k) {
+    std::filesystem::path file = folder / (stem + (k > 1 ? "-" + std::to_string(k) : "") + extension);
+    if (!std::filesystem::exists(file, error)) return file;
+  }
+}
+
 void append_number(std::string& text, double value) {
   std::array<char, 32> digits{};
   const auto [end, error] =

@@ -36,6 +36,10 @@ std::string read_file(const std::filesystem::path& path);
 /// Makes the folder and those above it. Throws FileError.
 void make_folder(const std::filesystem::path& path);
 
+/// The first of stem.ext, stem-2.ext, stem-3.ext, ... in `folder` that does not exist; `extension` with its dot.
+std::filesystem::path free_file(const std::filesystem::path& folder, const std::string& stem,
+                                const std::string& extension);
+
 /// Appends `value` with 17 significant digits: reading it back gives the same double.
 void append_number(std::string& text, double value);
 /// "000042": the number of a frame or checkpoint in file names.

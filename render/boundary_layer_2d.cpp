@@ -1,8 +1,25 @@
 #include "render/boundary_layer_2d.hpp"
 
-#include "render/distance_map.hpp"
-
 namespace pf {
+
+BoundaryLayer2D::Box BoundaryLayer2D::reach(const DistanceMap& map, std::initializer_list<std::size_t> channels,
+                                            double margin) const {
+  int left = map.columns, right = -1, bottom = map.rows, top = -1;
+  for (int j = 0; j < map.rows; ++j)
+    for (int i = 0; i < map.columns; ++i) {
+      const float* d = &map.values[3 * (static_cast<std::size_t>(j) * map.columns + i)];
+      const bool near = std::any_of(channels.begin(), channels.end(), [&](std::size_t k) { return d[k] < margin; });
+      if (!near) continue;
+      left = std::min(left, i), right = std::max(right, i);
+      bottom = std::min(bottom, j), top = std::max(top, j);
+    }
+  const auto pixel = [&](int sample, int most) {
+    return std::clamp(static_cast<int>(std::lround(sample * map.pitch)), 0, most);
+  };
+  // A sample's neighbours may show something, too.
+  return {pixel(left - 1, size_.width), pixel(bottom - 1, size_.height), pixel(right + 2, size_.width),
+          pixel(top + 2, size_.height)};
+}
 
 void BoundaryLayer2D::prepare(const Frame& frame) {
   const Snapshot& s = frame.snapshot;
@@ -17,9 +34,10 @@ void BoundaryLayer2D::prepare(const Frame& frame) {
 
   const double pitch = 2 * std::max(1.f, std::round(frame.scale()));
   const DistanceMap map = DistanceMap::sample(s, camera, size_, pitch);
-  solids_ = map.solids;
-  regions_ = map.regions;
-  if (!solids_ && !regions_) return;
+  const double line = 4.0 * static_cast<double>(frame.scale()) + 2;  // lines run beside the surfaces
+  solids_ = map.solids ? reach(map, {0}, line) : Box{};
+  regions_ = map.regions ? reach(map, {1, 2}, line) : Box{};
+  if (solids_.empty() && regions_.empty()) return;
   uv_scale_ = frame.size() / static_cast<float>(pitch) / glm::vec2(map.columns, map.rows);
   uv_shift_ = 0.5f / glm::vec2(map.columns, map.rows);
   glActiveTexture(GL_TEXTURE0);
@@ -32,7 +50,8 @@ void BoundaryLayer2D::prepare(const Frame& frame) {
 }
 
 void BoundaryLayer2D::draw(const Frame& frame, bool solids) {
-  if (solids ? !solids_ : !regions_) return;
+  const Box& box = solids ? solids_ : regions_;
+  if (box.empty()) return;
   const RenderTheme& theme = frame.theme();
   // The hatching repeats every 10 sqrt(2) layout pixels along x and y (solids), so its phase may be reduced in
   // double; 90 of these also is a whole number of the regions' periods.
@@ -55,7 +74,10 @@ void BoundaryLayer2D::draw(const Frame& frame, bool solids) {
   program_.set("u_distance", 0);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, distance_.name());
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(frame.viewport.x + box.left, frame.viewport.y + box.bottom, box.right - box.left, box.top - box.bottom);
   full_screen_.draw();
+  glDisable(GL_SCISSOR_TEST);
 }
 
 }  // namespace pf

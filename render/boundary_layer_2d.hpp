@@ -1,6 +1,9 @@
 // Rigid solids and regions of a 2D scene. Internal to render/.
 #pragma once
 
+#include <initializer_list>
+
+#include "render/distance_map.hpp"
 #include "render/frame.hpp"
 
 namespace pf {
@@ -14,13 +17,19 @@ class BoundaryLayer2D {
   void invalidate() { scene_ = nullptr; }
 
  private:
+  /// Pixels of the view from its lower left corner.
+  struct Box {
+    int left = 0, bottom = 0, right = 0, top = 0;
+    bool empty() const { return left >= right || bottom >= top; }
+  };
+  Box reach(const DistanceMap& map, std::initializer_list<std::size_t> channels, double margin) const;
   void draw(const Frame& frame, bool solids);
 
   Program program_{"solid2d"};
   gl::FullScreen full_screen_;
   gl::Texture distance_;
   glm::vec2 uv_scale_{1}, uv_shift_{0};
-  bool solids_ = false, regions_ = false;
+  Box solids_, regions_;  ///< all that they cover: nothing else is shaded
   // What the distances were sampled for.
   const SceneView* scene_ = nullptr;
   Camera2D camera_;

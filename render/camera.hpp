@@ -84,6 +84,9 @@ std::optional<std::size_t> pick_particle(const Snapshot& snapshot, const Camera&
 
 /// Smallest box around all particles (with their own extent); empty snapshot: unit box about the origin.
 ViewBounds particle_bounds(const Snapshot& snapshot);
+/// `seen` with `body` inside of it, as far as that leaves it within 1.5 `size` of its centre: a body that flies away
+/// does not take the view with it.
+ViewBounds widened(const ViewBounds& seen, const ViewBounds& body, double size);
 /// What a person wants to see from the first frame to the last: the particles, the finite boundaries near
 /// them, and the way down to a floor on which they fall.
 ViewBounds scene_bounds(const Snapshot& first);

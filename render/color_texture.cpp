@@ -8,8 +8,7 @@
 
 namespace pf {
 
-namespace {
-std::array<std::uint8_t, 1024> texels(FieldScale scale) {
+std::array<std::uint8_t, 1024> field_texels(FieldScale scale) {
   if (scale == FieldScale::sequential) return colormap_texels(ColormapKind::sequential);
   if (scale == FieldScale::diverging) return colormap_texels(ColormapKind::diverging);
   std::array<std::uint8_t, 1024> table;
@@ -19,14 +18,13 @@ std::array<std::uint8_t, 1024> texels(FieldScale scale) {
   }
   return table;
 }
-}  // namespace
 
 void ColorTexture::bind(FieldScale scale) {
   const auto k = static_cast<std::size_t>(scale);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, textures_[k].name());
   if (filled_[k]) return;
-  const auto table = texels(scale);
+  const auto table = field_texels(scale);
   const GLint filter = scale == FieldScale::categorical ? GL_NEAREST : GL_LINEAR;
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 256, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, table.data());
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);

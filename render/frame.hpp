@@ -12,6 +12,9 @@
 
 namespace pf {
 
+/// In world axes; as in shaders/common.glsl.
+inline const glm::vec3 towards_light = glm::normalize(glm::vec3(-0.362f, 0.805f, 0.470f));
+
 /// Shaders see coordinates relative to `origin` (the camera's centre or target), subtracted in double: a body far
 /// from the world's origin is drawn as exactly as one beside it.
 struct Frame {

@@ -104,6 +104,7 @@ void OffscreenContext::make_current() {
 /// Draws into multisampled buffers, which read() resolves into plain ones.
 struct OffscreenTarget::Impl {
   ViewSize size;
+  GLsizei samples = 0;
   gl::Framebuffer draw, resolved;
   gl::Renderbuffer color, depth, plain;
 };
@@ -118,6 +119,7 @@ OffscreenTarget::OffscreenTarget(ViewSize size, int samples) : impl_(std::make_u
   const GLsizei used = samples > 1 ? std::min(samples, most) : 0;
   Impl& im = *impl_;
   im.size = size;
+  im.samples = used;
   const auto attach = [&](const gl::Renderbuffer& buffer, GLsizei n, GLenum format, GLenum where) {
     glBindRenderbuffer(GL_RENDERBUFFER, buffer.name());
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, n, format, size.width, size.height);
@@ -151,12 +153,13 @@ void OffscreenTarget::copy_to(int x, int y, bool drawn_anew) {
   const gl::TargetGuard guard;
   GLint shown = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &shown);
-  if (drawn_anew) {
+  const bool plain = impl_->samples == 0;  // nothing to resolve
+  if (drawn_anew && !plain) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, impl_->draw.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, impl_->resolved.name());
     glBlitFramebuffer(0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   }
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, impl_->resolved.name());
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, plain ? impl_->draw.name() : impl_->resolved.name());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(shown));
   glBlitFramebuffer(0, 0, w, h, x, y, x + w, y + h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }

@@ -3,6 +3,7 @@
 
 #include "render/color_texture.hpp"
 #include "render/ink.hpp"
+#include "render/splats_2d.hpp"
 
 namespace pf {
 
@@ -14,11 +15,11 @@ class ParticleLayer2D {
 
  private:
   void upload(const Frame& frame);
-  void draw_points(const Frame& frame);
   void draw_squares(const Frame& frame);
 
-  Program squares_{"particle2d"}, points_{"points"};
-  gl::Batch square_data_, point_data_;
+  Program squares_{"particle2d"};
+  gl::Batch square_data_;
+  Splats2D splats_;
   Ink marks_;
   Anchor anchor_;
   DataKey key_;

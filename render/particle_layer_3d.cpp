@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 
+#include "render/hidden.hpp"
+
 namespace pf {
 
 namespace {
@@ -21,7 +23,8 @@ constexpr std::array ball_layout{gl::Attribute{0, 3, offsetof(Ball, x)}, gl::Att
 constexpr std::array point_layout{gl::Attribute{0, 3, offsetof(Point, x)}, gl::Attribute{1, 1, offsetof(Point, side)},
                                   gl::Attribute{2, 1, offsetof(Point, value)}};
 
-constexpr std::size_t many = 100000;
+/// On a software renderer: more than `some` are discs while things move, more than `many` always.
+constexpr std::size_t some = 1000, many = 100000;
 /// Radius of the ball of volume 1.
 constexpr float unit_ball = 0.6203505f;
 
@@ -46,15 +49,19 @@ void ParticleLayer3D::upload(const Frame& frame) {
   std::vector<Mark> marks;
   (cheap_ ? points.reserve(s.particles) : balls.reserve(s.particles));
   const bool has_F = s.F.size() >= 9 * s.particles;
+  // A graphics card draws what is hidden faster than we tell that it is.
+  const bool all = !frame.software || frame.options.best_quality;
+  const std::vector<std::uint8_t> hidden = all ? std::vector<std::uint8_t>() : hidden_particles(s);
   for (std::size_t p = 0; p < s.particles; ++p) {
     const glm::vec3 x = relative(component_vector(s.x, p, 3), anchor_);
     const float* f = s.F.data() + 9 * p;
     const glm::mat3 F = has_F ? glm::mat3(f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7], f[8]) : glm::mat3(1);
     const float side = p < s.volume0.size() ? std::cbrt(s.volume0[p]) : 0.5f * static_cast<float>(s.spacing);
     const float value = color_value(s, frame.options.field, p);
-    if (cheap_)
-      points.push_back({x, 1.1f * side, value});
-    else
+    const bool drawn = hidden.empty() || hidden[p] == 0;
+    if (drawn && cheap_)
+      points.push_back({x, 2 * unit_ball * side * std::cbrt(std::clamp(glm::determinant(F), 0.1f, 4.f)), value});
+    else if (drawn)
       balls.push_back({x, F[0], F[1], F[2], unit_ball * side, value});
     if (!(glm::determinant(F) > 0))
       marks.push_back({x, rgba8(frame.theme().inverted), 5, static_cast<float>(MarkStyle::cross)});
@@ -67,7 +74,8 @@ void ParticleLayer3D::upload(const Frame& frame) {
 }
 
 void ParticleLayer3D::prepare(const Frame& frame) {
-  const bool cheap = frame.software && !frame.options.best_quality && frame.snapshot.particles > many;
+  const bool cheap = frame.software && !frame.options.best_quality &&
+                     frame.snapshot.particles > (frame.options.in_motion ? some : many);
   const double selected = frame.options.selected ? *frame.options.selected : -1;
   const DataKey key = DataKey::of(frame, selected + (cheap ? 0.5 : 0));
   if (key == key_ && anchor_.serves(frame)) return;
@@ -95,7 +103,9 @@ void ParticleLayer3D::draw(const Frame& frame, const glm::mat4& view, const glm:
     points_.set("u_view_projection", frame.view_projection);
     points_.set("u_offset", anchor_.offset(frame));
     points_.set("u_pixels", 0.5f * frame.size().y * projection[1][1]);
-    points_.set("u_perspective", true);
+    const glm::mat3 to_eye(view);
+    points_.set("u_light", to_eye * towards_light);
+    points_.set("u_up", to_eye * glm::vec3(0, 1, 0));
     points_.set("u_smallest", 1.5f);
     points_.set("u_range", range);
     points_.set("u_map", 0);

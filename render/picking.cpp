@@ -99,6 +99,11 @@ std::optional<std::size_t> pick_particle(const Snapshot& snapshot, const Camera&
   return pick_solid(snapshot, std::get<OrbitCamera>(camera), size, pixel, reach);
 }
 
+ViewBounds widened(const ViewBounds& seen, const ViewBounds& body, double size) {
+  const Vec3 centre = seen.centre(), most = Vec3::Constant(1.5 * size);
+  return {seen.min.cwiseMin(body.min.cwiseMax(centre - most)), seen.max.cwiseMax(body.max.cwiseMin(centre + most))};
+}
+
 ViewBounds particle_bounds(const Snapshot& snapshot) {
   const double infinity = std::numeric_limits<double>::infinity();
   ViewBounds b{Vec3::Constant(infinity), Vec3::Constant(-infinity)};

@@ -23,7 +23,7 @@ struct PictureMaker::Impl {
   OffscreenTarget target;
   std::optional<Camera> camera;    ///< set by the caller
   std::optional<ViewBounds> seen;  ///< else: what all pictures until now had to show
-  Vec3 first_size = Vec3::Zero();
+  double first_size = 0;
 
   explicit Impl(const PictureOptions& wanted) : options(wanted), target(wanted.size, 4) {
     options.render.pixel_scale = scale_of(options.size);
@@ -33,13 +33,9 @@ struct PictureMaker::Impl {
   Camera follow(const Snapshot& snapshot) {
     if (!seen) {
       seen = scene_bounds(snapshot);
-      first_size = seen->size();
+      first_size = seen->size().maxCoeff();
     }
-    const ViewBounds body = particle_bounds(snapshot);
-    const Vec3 most = Vec3::Constant(first_size.maxCoeff());
-    const Vec3 centre = seen->centre();
-    seen->min = seen->min.cwiseMin(body.min.cwiseMax(centre - 1.5 * most));
-    seen->max = seen->max.cwiseMax(body.max.cwiseMin(centre + 1.5 * most));
+    seen = widened(*seen, particle_bounds(snapshot), first_size);
     return picture_camera(snapshot.dimension, *seen, options.size, options.overlay);
   }
 };

@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <stdexcept>
 
+#include "render/backdrop.hpp"
 #include "render/background.hpp"
 #include "render/boundary_layer_2d.hpp"
 #include "render/grid_layer.hpp"
@@ -47,6 +48,7 @@ void upload_grab(const Frame& frame, Ink& ink, Anchor& anchor) {
 
 struct Renderer::Impl {
   Background background;
+  Backdrop backdrop;
   ColorTexture colors;
   InkPrograms ink;
   BoundaryLayer2D boundaries_2d;
@@ -64,6 +66,7 @@ struct Renderer::Impl {
   bool software = false;
 
   void invalidate() {
+    backdrop.invalidate();
     boundaries_2d.invalidate();
     particles_2d.invalidate();
     view_3d.invalidate();
@@ -95,9 +98,15 @@ void Renderer::Impl::draw_flat(Frame& frame) {
   const glm::vec2 half = 0.5f * frame.size() / static_cast<float>(camera.pixels_per_metre);
   frame.view_projection = glm::ortho(-half.x, half.x, -half.y, half.y, -1.f, 1.f);
 
-  background.draw(frame);
   if (frame.options.boundaries || frame.options.regions) boundaries_2d.prepare(frame);
-  if (frame.options.boundaries) boundaries_2d.draw_solids(frame);
+  const bool slow = frame.software && !frame.options.best_quality;
+  if (slow && backdrop.serves(frame)) {
+    backdrop.show(frame);
+  } else {
+    background.draw(frame);
+    if (frame.options.boundaries) boundaries_2d.draw_solids(frame);
+    if (slow) backdrop.offer(frame);
+  }
   if (frame.options.grid) grid.draw_cells(frame);
   if (frame.options.particles) particles_2d.draw(frame, colors, ink);
   if (frame.options.regions) boundaries_2d.draw_regions(frame);

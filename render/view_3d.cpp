@@ -16,9 +16,6 @@ glm::mat4 view_matrix(const OrbitCamera& camera) {
   return glm::translate(glm::mat4(1), glm::vec3(0, 0, -camera.distance)) * turn;
 }
 
-/// As in shaders/common.glsl.
-const glm::vec3 light = glm::normalize(glm::vec3(-0.362f, 0.805f, 0.470f));
-
 }  // namespace
 
 void View3D::invalidate() {
@@ -35,7 +32,7 @@ Shadow View3D::draw_shadow(const Frame& frame) {
     // The light sees a ball around the body; what is shadowed may lie far beyond it.
     const auto radius = static_cast<float>(0.55 * body.size().norm());
     const glm::vec3 centre = to_glm(body.centre() - frame.origin);
-    const glm::mat4 view = glm::lookAt(centre + 2.f * radius * light, centre, glm::vec3(0, 0, 1));
+    const glm::mat4 view = glm::lookAt(centre + 2.f * radius * towards_light, centre, glm::vec3(0, 0, 1));
     const glm::mat4 projection = glm::ortho(-radius, radius, -radius, radius, 0.5f * radius, 12.f * radius);
     shadow_map_.bind();
     glClear(GL_DEPTH_BUFFER_BIT);

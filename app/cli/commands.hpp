@@ -34,6 +34,7 @@ struct RunOptions {
   bool quiet = false;
   std::optional<PictureSize> images;
   std::optional<std::filesystem::path> video;
+  bool plain = false;  ///< pictures without title, colour bar, axes and scale
   std::optional<std::string> export_format;
   std::optional<double> checkpoint_every;  ///< [s] of simulated time
   std::optional<std::filesystem::path> resume;

@@ -16,6 +16,7 @@ pf::PictureOptions picture_options(const FrameOutput& output, const Scene& scene
   if (const FieldInfo* field = find_field(scene.view.color_by)) options.render.field = field->field;
   options.render.best_quality = true;
   options.title = scene.name;
+  options.overlay = output.overlay;
   return options;
 }
 

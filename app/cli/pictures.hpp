@@ -15,6 +15,7 @@ struct FrameOutput {
   std::optional<std::filesystem::path> folder;  ///< NNNNNN.png of each frame goes here
   std::optional<std::filesystem::path> video;   ///< film of all frames
   double frames_per_second = 30;                ///< of the film
+  bool overlay = true;                          ///< title, colour bar, axes and scale
 };
 
 /// Draws each frame as `view.color_by` says.

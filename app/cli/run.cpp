@@ -66,6 +66,7 @@ class Outputs {
       if (options.images) pictures.folder = folder.images();
       if (options.video) pictures.video = *options.video;
       pictures.frames_per_second = frame_rate(scene.time);
+      pictures.overlay = !options.plain;
       add<PictureWriter>(pictures, scene);
     }
     if (options.export_format)

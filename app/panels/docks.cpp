@@ -60,31 +60,46 @@ void choose_plot(const std::vector<const Panel*>& plots, PanelMemory& m) {
   ImGui::EndCombo();
 }
 
+/// The panel below its header, as high as it needs to be, at most `room`.
+void draw_open_panel(AppContext& context, const Panel& panel, float room) {
+  PanelMemory& m = memory(context);
+  const float most = std::max(em(10), room - ImGui::GetStyle().ItemSpacing.y);
+  ImGui::BeginChild(panel.title, ImVec2(0, m.open_height > 0 ? std::min(m.open_height, most) : most));
+  gap(0.4F);
+  ImGui::Indent(em(0.25F));
+  // A child-less way to keep the panel clear of the right edge: everything in it measures the available width.
+  ImGui::BeginGroup();
+  ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x - em(0.25F));
+  panel.draw(context);
+  ImGui::PopItemWidth();
+  ImGui::EndGroup();
+  ImGui::Unindent(em(0.25F));
+  gap(0.75F);
+  m.open_height = ImGui::GetCursorPosY();
+  ImGui::EndChild();
+}
+
 }  // namespace
 
 void draw_left_column(AppContext& context) {
   PanelMemory& m = memory(context);
+  std::vector<std::pair<const Panel*, int>> shown;
   int index = 0;
   for (const Panel& panel : panels()) {
     if (panel.dock != Dock::left) continue;
-    const int here = index++;
-    if (!panel.relevant(context)) continue;
+    if (panel.relevant(context)) shown.emplace_back(&panel, index);
+    ++index;
+  }
+  // All headers stay in sight: what the open panel has too much is scrolled between them.
+  const float header = ImGui::GetFontSize() + 2 * em(0.35F) + ImGui::GetStyle().ItemSpacing.y;
+  const float room = ImGui::GetContentRegionAvail().y - static_cast<float>(shown.size()) * header;
+  for (const auto& [panel, here] : shown) {
     const bool open = m.open_left == here;
-    if (panel_header(panel.title, open)) m.open_left = open ? -1 : here;
-    if (!open) continue;
-    ImGui::PushID(panel.title);
-    gap(0.4F);
-    ImGui::Indent(em(0.25F));
-    const float right = ImGui::GetContentRegionAvail().x - em(0.25F);
-    // A child-less way to keep the panel clear of the right edge: everything in it measures the available width.
-    ImGui::BeginGroup();
-    ImGui::PushItemWidth(right);
-    panel.draw(context);
-    ImGui::PopItemWidth();
-    ImGui::EndGroup();
-    ImGui::Unindent(em(0.25F));
-    gap(0.75F);
-    ImGui::PopID();
+    if (panel_header(panel->title, open)) {
+      m.open_left = open ? -1 : here;
+      m.open_height = 0;
+    }
+    if (open) draw_open_panel(context, *panel, room);
   }
 }
 

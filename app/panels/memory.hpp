@@ -25,6 +25,7 @@ struct PanelMemory {
 
   Typing typing;
   int open_left = 0;           ///< index into the left panels, -1: all closed
+  float open_height = 0;       ///< of its contents in the last frame; 0: not known yet
   std::string plot;            ///< title of the bottom panel shown
   bool show_plot = false;      ///< bring it to the front in the next frame
   std::string scene_material;  ///< chosen in the material panel

@@ -10,6 +10,7 @@
 #include "app/widgets/run_list.hpp"
 #include "app/widgets/text.hpp"
 #include "core/charts/draw.hpp"
+#include "core/files.hpp"
 
 namespace pf::app {
 
@@ -31,18 +32,12 @@ void store_view(const Chart& chart, PlotView& view) {
   view = {chart.x.min, chart.x.max, chart.y.min, chart.y.max};
 }
 
-fs::path export_folder(const AppContext& context) {
-  std::error_code error;
-  const fs::path here = fs::current_path(error);
-  return context.scene_file.empty() || !error ? here : context.scene_file.parent_path();
-}
-
 /// What is exported stands alone: all of the data or the zoomed part, with title and legend, on white.
 void export_chart(AppContext& context, const Chart& chart, const std::string& stem, const std::string& kind) {
   Chart alone = chart;
   alone.title = context.scene.name;
   alone.legend = LegendPlace::automatic;
-  const fs::path file = free_file(export_folder(context), stem, kind);
+  const fs::path file = free_file(context.save_folder, stem, "." + kind);
   const ImageText about{{"Title", context.scene.name}, {"Scene", scene_hash(context.scene)}};
   try {
     if (kind == "csv")
@@ -90,14 +85,6 @@ void handle_mouse(Chart& chart, const ChartLayout& layout, PlotView& view) {
 }
 
 }  // namespace
-
-fs::path free_file(const fs::path& folder, const std::string& stem, const std::string& extension) {
-  std::error_code error;
-  for (int k = 1;; ++k) {
-    const fs::path file = folder / (stem + (k > 1 ? "-" + std::to_string(k) : "") + "." + extension);
-    if (!fs::exists(file, error)) return file;
-  }
-}
 
 void plot(AppContext& context, const char* stem, Chart chart, PlotView& view) {
   const ImVec2 size = ImGui::GetContentRegionAvail();

@@ -13,8 +13,4 @@ namespace pf::app {
 /// click shows all again, right click exports. `stem` begins the exported files' names.
 void plot(AppContext& context, const char* stem, Chart chart, PlotView& view);
 
-/// `folder`/`stem`.`extension`, or with -2, -3, ... when that exists.
-std::filesystem::path free_file(const std::filesystem::path& folder, const std::string& stem,
-                                const std::string& extension);
-
 }  // namespace pf::app
