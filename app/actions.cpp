@@ -236,10 +236,11 @@ void Workbench::load_file(const fs::path& file) {
   }
 }
 
-void Workbench::report_file_trouble(const std::string& what) {
+void Workbench::report_trouble(const std::string& source, const std::string& what) {
   context_.problems = {{"", what, ""}};
-  context_.problems_source = "file";
+  context_.problems_source = source;
   show_problems_ = true;
+  settle_ = 3;
 }
 
 bool Workbench::save_to(const fs::path& file, const Scene& scene) {

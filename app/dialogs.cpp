@@ -103,7 +103,7 @@ void Workbench::draw_unsaved_question() {
 void Workbench::draw_problems() {
   if (!begin_modal("This did not work", &show_problems_, 44, context_.problems.size() > 4 ? 30.0f : 0.0f)) return;
   const float em = ImGui::GetFontSize();
-  const bool scene_file = context_.problems_source != "file";
+  const bool scene_file = context_.problems_source != "file" && context_.problems_source != "the window";
   if (scene_file) {
     ImGui::PushFont(bold_font());
     wrapped(context_.problems_source);

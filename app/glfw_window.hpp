@@ -50,6 +50,8 @@ class GlfwWindow {
 
   void begin_frame();  ///< of ImGui and OpenGL
   void end_frame();    ///< draws ImGui over what is there
+  /// Closes what a frame that was thrown out of has left open.
+  void abandon_frame();
   void show();         ///< what was drawn; the framebuffer's contents are lost
   Image read() const;  ///< what was drawn and is not yet shown
   /// Renews the texture of the font atlas.

@@ -95,6 +95,20 @@ double Workbench::patience(double longest) const {
 }
 
 bool Workbench::frame(double longest) {
+  try {
+    const bool going_on = turn(longest);
+    mishaps_ = 0;
+    return going_on;
+  } catch (const std::exception& error) {
+    // Neither the scene nor the run is lost by it; but where not even this can be shown, going on is no use.
+    if (++mishaps_ > 3) throw;
+    window_.abandon_frame();
+    report_trouble("the window", std::string("This went wrong: ") + error.what());
+  }
+  return true;
+}
+
+bool Workbench::turn(double longest) {
   window_.wait(patience(longest));
   if (window_.take_touched()) settle_ = 3;
   handle_input();

@@ -62,6 +62,7 @@ class Workbench {
 
  private:
   // workbench.cpp: the loop
+  bool turn(double longest);
   double patience(double longest) const;
   void handle_input();
   void follow_session();
@@ -92,7 +93,8 @@ class Workbench {
   void leave();
   /// Runs `then` at once, or after the user has said what becomes of unsaved changes.
   void settle_changes(std::function<void()> then);
-  void report_file_trouble(const std::string& what);
+  void report_file_trouble(const std::string& what) { report_trouble("file", what); }
+  void report_trouble(const std::string& source, const std::string& what);
   std::string file_label() const;
   bool shipped(const std::filesystem::path& file) const;
 
@@ -128,6 +130,7 @@ class Workbench {
 
   int settle_ = 3;  ///< frames that ImGui still needs to come to rest
   long frames_ = 0;
+  int mishaps_ = 0;  ///< turns in a row that threw
   bool leaving_ = false;
   float built_scale_ = 0;  ///< of the fonts
   Theme applied_theme_ = Theme::dark;

@@ -62,10 +62,23 @@ void Session::Worker::send(command::Any what, bool cancel_step,
 void Session::Worker::loop() {
   std::vector<command::Any> taken;
   while (take(taken, next_moment())) {
-    for (const command::Any& what : taken) std::visit([this](const auto& c) { handle(c); }, what);
+    for (const command::Any& what : taken) guarded([&] { std::visit([this](const auto& c) { handle(c); }, what); });
     taken.clear();
-    advance();
+    guarded([this] { advance(); });
   }
+}
+
+void Session::Worker::guarded(const std::function<void()>& work) {
+  std::string what;
+  try {
+    return work();
+  } catch (const std::exception& error) {
+    what = error.what();
+  } catch (...) {
+    what = "an exception of unknown kind";
+  }
+  simulation_.reset();  // whatever was interrupted leaves nothing to rely on
+  fail("The simulation stopped: " + what + ". Reset (R) begins anew.");
 }
 
 bool Session::Worker::take(std::vector<command::Any>& into, std::optional<Clock::time_point> until) {
@@ -110,11 +123,15 @@ void Session::Worker::take_step() {
     }
     if (report.status == StepStatus::failed) fail(report.failure);
     if (report.status == StepStatus::finished) finish();
-  } catch (const std::exception& error) {
-    simulation_.reset();  // a step that throws leaves nothing to rely on
-    fail(error.what());
+  } catch (...) {
+    end_step();
+    throw;
   }
   single_steps_ = std::max(0, single_steps_ - 1);
+  end_step();
+}
+
+void Session::Worker::end_step() {
   const std::lock_guard lock(mutex);
   status.step_in_flight = false;
 }
@@ -205,6 +222,8 @@ void Session::Worker::set_state(RunState state) {
 }
 
 void Session::Worker::publish() {
+  stale_ = false;
+  if (!simulation_) return;  // a step that threw took it along: the last picture stays
   std::shared_ptr<Snapshot> snapshot = pool_.take();
   simulation_->capture(request_, *snapshot);
   std::shared_ptr<const Snapshot> fresh = std::move(snapshot);
@@ -214,7 +233,6 @@ void Session::Worker::publish() {
     newest.swap(fresh);
     status.solver_choice.swap(choice);
   }
-  stale_ = false;
   published_ = Clock::now();
   call_window();
 }

@@ -72,12 +72,15 @@ struct Session::Worker {
   using Clock = Pacer::Clock;
 
   void loop();
+  /// Nothing that is thrown ends the program: the run has failed then, and the window says why.
+  void guarded(const std::function<void()>& work);
   /// Waits for commands (until `until`, if given) and takes them; false: quit.
   bool take(std::vector<command::Any>& into, std::optional<Clock::time_point> until);
   /// When take() may sleep till: now while there is a step to do, nothing when only a command can help.
   std::optional<Clock::time_point> next_moment();
   void advance();
   void take_step();
+  void end_step();
   void accept(const StepReport& report, double step_ms);
   void finish();
   /// The scene's own events that are due, as soon as their state is reached: edits of that state come after them,

@@ -4,6 +4,8 @@
 #include <atomic>
 #include <chrono>
 #include <mutex>
+#include <new>
+#include <stdexcept>
 #include <thread>
 
 #include "core/scene/scene.hpp"
@@ -15,7 +17,9 @@ namespace pf::test {
 struct FakeControl {
   std::atomic<double> step_seconds{0};
   std::atomic<long> steps_begun{0}, steps_cancelled{0}, captures{0}, built{0};
-  std::atomic<long> fail_at{-1};        ///< the step after this index fails
+  std::atomic<long> fail_at{-1};   ///< the step after this index fails
+  std::atomic<long> throw_at{-1};  ///< the step after this index throws
+  std::atomic<bool> capture_throws{false};
   std::atomic<double> gravity_seen{0};  ///< of the newest scene applied
 };
 
@@ -32,6 +36,7 @@ class FakeSimulation : public Simulation {
     other_ = {};
     ++control_.steps_begun;
     if (accepted_.time >= end_ - 1e-12) return with(StepStatus::finished);
+    if (control_.throw_at >= 0 && accepted_.step >= control_.throw_at) throw std::runtime_error("out of everything");
     if (accepted_.step == control_.fail_at) {
       other_.failure = "particle 2 turned inside out";
       return with(StepStatus::failed);
@@ -59,6 +64,7 @@ class FakeSimulation : public Simulation {
   void set_grab(const std::optional<Grab>& grab) override { grab_ = grab; }
   void capture(const SnapshotRequest& request, Snapshot& into) const override {
     ++control_.captures;
+    if (control_.capture_throws) throw std::bad_alloc();
     into.report = accepted_;
     into.particles = 3;
     into.x.assign(6, accepted_.time);

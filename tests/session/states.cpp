@@ -181,3 +181,41 @@ TEST_CASE("the inspector's question is answered between steps") {
   CHECK(answer->id == 2);
   CHECK_FALSE(stage.session.answered_particle());
 }
+
+TEST_CASE("a step that throws while states wait to be shown ends the run, not the program") {
+  Stage stage;
+  stage.control.throw_at = 50;  // as fast as possible: hardly one state in a hundred is shown
+  stage.session.set_rate(0);
+  stage.session.open(scene_of(0.01, 10), true);
+  REQUIRE(stage.reaches(RunState::failed));
+  CHECK(stage.session.status().message.find("out of everything") != std::string::npos);
+  stage.session.pause();
+  stage.session.run();
+  stage.session.step_once();
+  stage.session.set_grab(Grab{});
+  stage.session.request({});
+  stage.session.ask_particle(0);
+  stage.session.edit(scene_of(0.02, 10));
+  REQUIRE(stage.until([](const SessionStatus& s) { return s.edit.applies_at_step < 0; }));
+  CHECK(stage.session.status().state == RunState::failed);
+  CHECK(stage.session.snapshot() != nullptr);
+
+  stage.control.throw_at = -1;
+  stage.session.reset();
+  REQUIRE(stage.reaches(RunState::paused));
+}
+
+TEST_CASE("a state that cannot be captured ends the run, not the program") {
+  Stage stage;
+  stage.session.open(scene_of(0.01, 10), false);
+  REQUIRE(stage.reaches(RunState::paused));
+  stage.control.capture_throws = true;
+  SnapshotRequest other;
+  other.grid = true;
+  stage.session.request(other);
+  REQUIRE(stage.reaches(RunState::failed));
+  CHECK_FALSE(stage.session.status().message.empty());
+  stage.control.capture_throws = false;
+  stage.session.reset();
+  REQUIRE(stage.reaches(RunState::paused));
+}
