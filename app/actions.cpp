@@ -215,7 +215,7 @@ void Workbench::open_scene(const Scene& scene, const fs::path& file, bool run) {
   session_.request(requested_);
   session_.open(scene, run);
   window_.set_title(scene.name.empty() ? "Pushforward" : scene.name + " – Pushforward");
-  if (!file.empty() && !shipped(file)) note_recent(preferences_, file);
+  if (!file.empty() && !shipped(file)) remember_file(file);
   settle_ = 3;
 }
 
@@ -246,7 +246,7 @@ void Workbench::report_trouble(const std::string& source, const std::string& wha
 bool Workbench::save_to(const fs::path& file, const Scene& scene) {
   try {
     save_scene(scene, file);
-    note_recent(preferences_, file);
+    remember_file(file);
     notices_.add("Saved " + file.string());
     settle_ = 3;
     return true;

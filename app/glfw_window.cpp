@@ -44,6 +44,7 @@ struct GlfwWindow::Callbacks {
   static void key(GLFWwindow* w, int key, int scancode, int action, int mods) {
     GlfwWindow& self = of(w);
     const ImGuiIO& io = ImGui::GetIO();
+    if (action == GLFW_PRESS && key >= 0 && key < IM_ARRAYSIZE(io.KeysDown)) self.tapped_.push_back(key);
     if (action == GLFW_RELEASE || io.WantTextInput) return;
     // Escape closes popups, which want the keyboard, too.
     if (io.WantCaptureKeyboard && key != GLFW_KEY_ESCAPE) return;
@@ -152,7 +153,11 @@ bool GlfwWindow::take_focus_lost() {
 void GlfwWindow::begin_frame() {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  // A key that came down and up since the last frame would be lost on ImGui, which knows only what is down now.
+  bool* down = ImGui::GetIO().KeysDown;
+  std::erase_if(tapped_, [&](int key) { return std::exchange(down[key], true); });
   ImGui::NewFrame();
+  for (const int key : std::exchange(tapped_, {})) down[key] = false;
 }
 
 void GlfwWindow::end_frame() {

@@ -69,6 +69,7 @@ class GlfwWindow {
   struct Callbacks;
   void create(const std::string& title, WindowSize size, bool visible);
   GLFWwindow* window_ = nullptr;
+  std::vector<int> tapped_;  ///< keys that came down since the last frame
   std::vector<Key> keys_;
   std::vector<std::filesystem::path> dropped_;
   bool touched_ = true, close_ = false, focus_lost_ = false, full_screen_ = false;

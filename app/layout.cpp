@@ -30,8 +30,10 @@ Layout arrange(const LayoutInput& in) {
   out.transport_rows = middle < transport_one_row * in.em ? 2 : 1;
   const float transport = whole(static_cast<float>(out.transport_rows) * transport_row * in.em);
   const float tabs = whole(drawer_tabs * in.em);
+  // The drawer leaves the view at least two fifths of the height, where that leaves the drawer room for its tabs.
+  const float most = std::max(tabs, std::min(0.5f * height, 0.6f * height - transport));
   const float drawer =
-      in.drawer_open ? whole(std::clamp(in.drawer_height * in.em, tabs + 6 * in.em, 0.5f * height)) : tabs;
+      in.drawer_open ? whole(std::clamp(in.drawer_height * in.em, std::min(tabs + 6 * in.em, most), most)) : tabs;
   out.left = {0, top, left, height};
   out.view = {left, top, middle, std::max(0.0f, height - transport - drawer)};
   out.transport = {left, out.view.bottom(), middle, transport};

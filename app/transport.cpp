@@ -55,12 +55,18 @@ bool icon_button(const char* id, Icon icon, const char* hint, bool primary, bool
 
 struct Rate {
   double value;
-  const char* label;
+  const char *label, *brief;  ///< brief: where there is little room
 };
-constexpr std::array rates{
-    Rate{1, "Real time"}, Rate{0.5, "1/2"},   Rate{0.2, "1/5"},    Rate{0.1, "1/10"},
-    Rate{0.05, "1/20"},   Rate{0.02, "1/50"}, Rate{0.01, "1/100"}, Rate{0, "As fast as possible"}};
+constexpr std::array rates{Rate{1, "Real time", "Real time"},
+                           Rate{0.5, "1/2 of real time", "1/2 speed"},
+                           Rate{0.2, "1/5 of real time", "1/5 speed"},
+                           Rate{0.1, "1/10 of real time", "1/10 speed"},
+                           Rate{0.05, "1/20 of real time", "1/20 speed"},
+                           Rate{0.02, "1/50 of real time", "1/50 speed"},
+                           Rate{0.01, "1/100 of real time", "1/100 speed"},
+                           Rate{0, "As fast as possible", "Fastest"}};
 constexpr std::array ends{"Pause at the end", "Go on past the end", "Loop"};
+constexpr std::array brief_ends{"Pause", "Go on", "Loop"};
 
 std::string hint(const KeyBinding& b) {
   return std::string(b.label) + " (" + b.shortcut + ")";
@@ -122,9 +128,10 @@ void Workbench::draw_playback_choices() {
   const float em = ImGui::GetFontSize();
   const float room = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x;
   const float width = std::min(10.5f * em, room / 2);
+  const bool brief = width < 10 * em;
   const char* now = rates.front().label;
   for (const Rate& rate : rates)
-    if (rate.value == rate_) now = rate.label;
+    if (rate.value == rate_) now = brief ? rate.brief : rate.label;
   ImGui::SetNextItemWidth(width);
   if (ImGui::BeginCombo("##rate", now, ImGuiComboFlags_HeightLarge)) {
     for (const Rate& rate : rates)
@@ -135,7 +142,7 @@ void Workbench::draw_playback_choices() {
   ImGui::SameLine();
   ImGui::SetNextItemWidth(width);
   const auto end = static_cast<std::size_t>(at_end_);
-  if (ImGui::BeginCombo("##at-end", ends[end])) {
+  if (ImGui::BeginCombo("##at-end", brief ? brief_ends[end] : ends[end])) {
     for (std::size_t i = 0; i < ends.size(); ++i)
       if (ImGui::Selectable(ends[i], i == end)) session_.set_at_end(at_end_ = static_cast<AtEnd>(i));
     ImGui::EndCombo();

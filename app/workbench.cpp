@@ -70,6 +70,10 @@ Workbench::Workbench(const Scene& scene, const std::filesystem::path& file, cons
 
 Workbench::~Workbench() {
   session_.set_wake({});
+  keep_preferences();
+}
+
+void Workbench::keep_preferences() {
   if (!setup_.remember) return;
   const WindowSize size = window_.size();
   preferences_.window_width = size.width;
@@ -81,8 +85,13 @@ Workbench::~Workbench() {
   try {
     save_preferences(preferences_, setup_.folders);
   } catch (const FileError&) {
-    // The window is gone: there is nobody left to tell, and nothing of the user's work is lost.
+    // Nothing of the user's work is lost by it.
   }
+}
+
+void Workbench::remember_file(const std::filesystem::path& file) {
+  note_recent(preferences_, file);
+  keep_preferences();  // now: a program that is killed has no later
 }
 
 double Workbench::patience(double longest) const {
@@ -110,7 +119,7 @@ bool Workbench::frame(double longest) {
 
 bool Workbench::turn(double longest) {
   window_.wait(patience(longest));
-  if (window_.take_touched()) settle_ = 3;
+  if (window_.take_touched()) settle_ = 4;  // press, release, what they open, and its size
   handle_input();
   const bool news = news_.exchange(false);
   const SessionStatus before = context_.status;
@@ -228,8 +237,8 @@ void Workbench::draw() {
   layout_ = arrange(in);
   view_->place(layout_.view, window_.pixels_per_unit(), static_cast<float>(window_.framebuffer_height()));
   view_->handle_mouse(context_);
-  draw_parts();
   view_->draw(context_);
+  draw_parts();
   if (!picture_wanted_.empty()) save_picture(std::exchange(picture_wanted_, {}));
   window_.end_frame();
   ++frames_;

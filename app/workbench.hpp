@@ -63,6 +63,8 @@ class Workbench {
  private:
   // workbench.cpp: the loop
   bool turn(double longest);
+  void keep_preferences();
+  void remember_file(const std::filesystem::path& file);
   double patience(double longest) const;
   void handle_input();
   void follow_session();

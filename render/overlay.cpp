@@ -110,12 +110,13 @@ float draw_axes(const OverlayInfo& info, const RenderTheme& theme, Painter& pain
   return origin.x + axis_length + 30;
 }
 
-float draw_scale_bar(const OverlayInfo& info, const RenderTheme& theme, Painter& painter, float x, float y) {
+float draw_scale_bar(const OverlayInfo& info, const RenderTheme& theme, Painter& painter, float x, float y,
+                     float longest) {
   const auto* flat = std::get_if<Camera2D>(&info.camera);
   const double pixels_per_metre =
       flat ? flat->pixels_per_metre : std::get<OrbitCamera>(info.camera).pixels_per_metre(info.size);
   const double units_per_metre = pixels_per_metre / info.pixel_scale;
-  const RoundLength length = round_length(120 / units_per_metre);
+  const RoundLength length = round_length(static_cast<double>(longest) / units_per_metre);
   const auto width = static_cast<float>(length.metres * units_per_metre);
   const std::array bar{Point2{x, y - 5}, Point2{x, y}, Point2{x + width, y}, Point2{x + width, y - 5}};
   line_with_rim(painter, theme, bar, theme.text, 1.6f);
@@ -177,11 +178,12 @@ ViewMargins overlay_margins(int dimension) {
 void draw_overlay(const OverlayInfo& info, const RenderTheme& theme, Painter& painter, Point2 min, Point2 max) {
   painter.push_clip(min, max);
   draw_title(info, theme, painter, min);
-  if (info.color_bar) draw_color_bar(info, theme, painter, min, max);
+  // In a low view the bar would hide what it explains.
+  if (info.color_bar && max.y - min.y > 140) draw_color_bar(info, theme, painter, min, max);
   float x = min.x + margin + 4;
   const float y = max.y - margin;
   if (info.axes) x = draw_axes(info, theme, painter, min, max);
-  if (info.scale_bar) x = draw_scale_bar(info, theme, painter, x, y);
+  if (info.scale_bar) x = draw_scale_bar(info, theme, painter, x, y, std::min(120.f, 0.25f * (max.x - min.x)));
   draw_arrow_key(info, theme, painter, x, y);
   painter.pop_clip();
 }

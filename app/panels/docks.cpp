@@ -64,7 +64,8 @@ void choose_plot(const std::vector<const Panel*>& plots, PanelMemory& m) {
 void draw_open_panel(AppContext& context, const Panel& panel, float room) {
   PanelMemory& m = memory(context);
   const float most = std::max(em(10), room - ImGui::GetStyle().ItemSpacing.y);
-  ImGui::BeginChild(panel.title, ImVec2(0, m.open_height > 0 ? std::min(m.open_height, most) : most));
+  float& height = m.panel_heights[panel.title];
+  ImGui::BeginChild(panel.title, ImVec2(0, height > 0 ? std::min(height, most) : most));
   gap(0.4F);
   ImGui::Indent(em(0.25F));
   // A child-less way to keep the panel clear of the right edge: everything in it measures the available width.
@@ -75,7 +76,7 @@ void draw_open_panel(AppContext& context, const Panel& panel, float room) {
   ImGui::EndGroup();
   ImGui::Unindent(em(0.25F));
   gap(0.75F);
-  m.open_height = ImGui::GetCursorPosY();
+  height = ImGui::GetCursorPosY();
   ImGui::EndChild();
 }
 
@@ -95,10 +96,7 @@ void draw_left_column(AppContext& context) {
   const float room = ImGui::GetContentRegionAvail().y - static_cast<float>(shown.size()) * header;
   for (const auto& [panel, here] : shown) {
     const bool open = m.open_left == here;
-    if (panel_header(panel->title, open)) {
-      m.open_left = open ? -1 : here;
-      m.open_height = 0;
-    }
+    if (panel_header(panel->title, open)) m.open_left = open ? -1 : here;
     if (open) draw_open_panel(context, *panel, room);
   }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -24,11 +25,11 @@ struct PanelMemory {
   int frame = -1;  ///< ImGui's, of the last update
 
   Typing typing;
-  int open_left = 0;           ///< index into the left panels, -1: all closed
-  float open_height = 0;       ///< of its contents in the last frame; 0: not known yet
-  std::string plot;            ///< title of the bottom panel shown
-  bool show_plot = false;      ///< bring it to the front in the next frame
-  std::string scene_material;  ///< chosen in the material panel
+  int open_left = 0;                           ///< index into the left panels, -1: all closed
+  std::map<std::string, float> panel_heights;  ///< of each left panel's contents when it was drawn last
+  std::string plot;                            ///< title of the bottom panel shown
+  bool show_plot = false;                      ///< bring it to the front in the next frame
+  std::string scene_material;                  ///< chosen in the material panel
   GalleryMemory gallery;
   PlotMemory plots;
 };

@@ -1,4 +1,5 @@
 #include "core/assets.hpp"
+#include "core/charts/image.hpp"
 
 #include <doctest/doctest.h>
 
@@ -39,4 +40,21 @@ TEST_CASE("a missing asset is named with every place that was tried") {
     CHECK(message.find("scenes/no-such-scene.json") != std::string::npos);
     for (const fs::path& root : pf::asset_roots()) CHECK(message.find(root.string()) != std::string::npos);
   }
+}
+
+TEST_CASE("every shipped scene has a small picture for the gallery") {
+  int scenes = 0;
+  for (const auto& entry : fs::directory_iterator(pf::asset_path("scenes"))) {
+    if (entry.path().extension() != ".json") continue;
+    ++scenes;
+    fs::path picture = entry.path();
+    picture.replace_extension(".png");
+    CAPTURE(picture.string());  // made by scripts/make-pictures.sh
+    REQUIRE(fs::exists(picture));
+    CHECK(fs::file_size(picture) < 100'000);
+    const pf::Image image = pf::read_image(picture);
+    CHECK(image.width >= 300);
+    CHECK(image.height >= 180);
+  }
+  CHECK(scenes >= 8);
 }
