@@ -12,6 +12,7 @@ TEST_CASE("every shipped scene reads, reads back equal, and says what it shows")
   std::size_t count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(PUSHFORWARD_SOURCE "/assets/scenes")) {
     CAPTURE(entry.path().string());
+    if (entry.path().extension() == ".png") continue;  // for the gallery
     REQUIRE(entry.path().extension() == ".json");
     const std::string stem = entry.path().stem().string();
     CHECK(std::all_of(stem.begin(), stem.end(),
