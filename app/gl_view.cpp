@@ -120,7 +120,8 @@ void GlView::draw(const AppContext& context) {
   }
   Shown wanted{context.snapshot, render_options(context, pixels_per_unit_ * overlay_scale()), camera_};
   if (shown_) wanted.options.in_motion = shown_->options.in_motion;
-  if (shown_ != wanted) changed_at_ = Clock::now();
+  // While the next scene is being built, this one's picture deserves no more work.
+  if (shown_ != wanted || context.status.state == RunState::loading) changed_at_ = Clock::now();
   wanted.options.in_motion = software() && dimension_ == 3 && Clock::now() < changed_at_ + still_after;
   const bool anew = shown_ != wanted;
   if (anew) {

@@ -21,6 +21,8 @@ constexpr auto dock_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoM
 
 constexpr std::size_t solver_history = 200;
 
+constexpr std::chrono::milliseconds longest_rest{100};
+
 /// A part of the window, filled by `content`.
 template <typename Content>
 void part(const char* name, const Rect& where, ImVec2 padding, int flags, const Content& content) {
@@ -100,6 +102,8 @@ double Workbench::patience(double longest) const {
   if (notices_.any() || context_.status.step_in_flight) seconds = std::min(seconds, 0.2);
   if (ImGui::GetIO().WantTextInput) seconds = std::min(seconds, 0.25);  // the cursor blinks
   if (view_) seconds = std::min(seconds, view_->refines_in().value_or(seconds));
+  if (news_to_show_)
+    seconds = std::clamp(std::chrono::duration<double>(rest_until_ - Clock::now()).count(), 0.0, seconds);
   return seconds;
 }
 
@@ -128,11 +132,17 @@ bool Workbench::turn(double longest) {
   const bool changed = (news && !same_news(before, context_.status)) || seen != context_.snapshot;
   const bool refine = view_ && view_->refines_in() == 0.0;
   const bool timed = notices_.expire() || ImGui::GetIO().WantTextInput || refine;
-  if (changed || timed || !same_news(before, context_.status)) settle_ = std::max(settle_, 1);
+  news_to_show_ |= changed || !same_news(before, context_.status);
+  if (timed || (news_to_show_ && Clock::now() >= rest_until_)) settle_ = std::max(settle_, 1);
   if (settle_ > 0 && !leaving_) {
     --settle_;
+    news_to_show_ = false;
+    const auto begin = Clock::now();
     draw();
     window_.show();
+    // Where the processor draws, the simulation shall have at least half of its time.
+    const auto end = Clock::now();
+    rest_until_ = view_->software() ? end + std::min<Clock::duration>(end - begin, longest_rest) : end;
   }
   return !leaving_;
 }

@@ -61,6 +61,8 @@ class Workbench {
   void open_scene(const Scene& scene, const std::filesystem::path& file, bool run);
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   // workbench.cpp: the loop
   bool turn(double longest);
   void keep_preferences();
@@ -132,6 +134,8 @@ class Workbench {
 
   int settle_ = 3;  ///< frames that ImGui still needs to come to rest
   long frames_ = 0;
+  bool news_to_show_ = false;  ///< since the last frame
+  Clock::time_point rest_until_{};
   int mishaps_ = 0;  ///< turns in a row that threw
   bool leaving_ = false;
   float built_scale_ = 0;  ///< of the fonts

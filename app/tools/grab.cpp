@@ -82,7 +82,11 @@ class GrabTool final : public Tool {
   bool wheel(float notches, const ViewMouse&, AppContext& context) override {
     if (!held_) return false;
     cells_ = std::clamp(cells_ * std::pow(1.15, static_cast<double>(notches)), least_radius, most_radius);
-    if (pulling_) send(context);
+    if (pulling_) {
+      // Another radius takes hold anew: of what is held now, not of what has come to where it was.
+      if (context.snapshot && context.snapshot->grabbed) from_ = context.snapshot->grab_at;
+      send(context);
+    }
     return true;
   }
 

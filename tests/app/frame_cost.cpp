@@ -144,6 +144,54 @@ TEST_SUITE("long") {
     CHECK(stage.redrawn().window < 16);
   }
 
+  TEST_CASE("100 thousand particles: pause and edits are acknowledged in the next frame while a step takes seconds") {
+    NEEDS_DISPLAY();
+    // A soft block that hangs and may fall for long in one step: Newton has much to do.
+    const nlohmann::json held{{"region", {{"type", "box"}, {"min", {0, 0.95}}, {"max", {1, 1}}}},
+                              {"fix", {true, true}}};
+    Stage stage(edited(hundred_thousand(), std::vector<Edit>{{"/constraints", nlohmann::json::array({held})},
+                                                             {"/materials/rubber/young", 1e4},
+                                                             {"/time/step", 0.3},
+                                                             {"/time/end", 100}}));
+    AppContext& context = stage.bench.context();
+    stage.bench.act(Action::run_pause);
+    while (!context.status.step_in_flight) stage.bench.frame(0.001);
+    for (int k = 0; k < 5; ++k) stage.bench.frame(0.01);
+    REQUIRE(context.status.step_in_flight);  // still the same long step
+    const long step = context.status.step;
+    REQUIRE(context.change({{"/gravity", {0, -5}}}));
+    double begin = thread_seconds();
+    stage.bench.frame(0);
+    MESSAGE("an edit is shown after ", 1e3 * (thread_seconds() - begin), " ms of CPU");
+    CHECK(context.status.edit.applies_at_step == step + 1);
+    begin = thread_seconds();
+    stage.bench.act(Action::run_pause);
+    stage.bench.frame(0);
+    MESSAGE("a pause is shown after ", 1e3 * (thread_seconds() - begin), " ms of CPU");
+    CHECK(context.status.state == RunState::paused);
+  }
+
+  TEST_CASE("switching scenes") {
+    NEEDS_DISPLAY();
+    Stage stage(shipped("colliding-discs"));
+    AppContext& context = stage.bench.context();
+    for (const char* name : {"welcome", "stretched-strip", "twisted-bar", "torus-on-ball"}) {
+      const Scene scene = shipped(name);
+      const std::uint64_t run = context.status.run;
+      const auto begin = Clock::now();
+      timespec from{}, to{};
+      clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &from);
+      stage.bench.open_scene(scene, {}, false);
+      while (context.status.run == run) stage.bench.frame(0.01);
+      clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &to);
+      const double cpu =
+          static_cast<double>(to.tv_sec - from.tv_sec) + 1e-9 * static_cast<double>(to.tv_nsec - from.tv_nsec);
+      MESSAGE(std::string(name), ": shown after ", 1e3 * std::chrono::duration<double>(Clock::now() - begin).count(),
+              " ms, ", 1e3 * cpu, " ms of CPU in all threads");
+      CHECK(context.snapshot->dimension == scene.dimension);
+    }
+  }
+
   TEST_CASE("the first picture of the welcome scene comes within half a second") {
     NEEDS_DISPLAY();
     const auto begin = Clock::now();
