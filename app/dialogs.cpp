@@ -23,11 +23,15 @@ bool begin_modal(const char* title, bool* wanted, float width_em, float height_e
                                 ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
 }
 
+/// The key that opened a dialog does not answer it, too.
+bool pressed(ImGuiKey key) {
+  return !ImGui::IsWindowAppearing() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
+}
 bool escape() {
-  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+  return pressed(ImGuiKey_Escape);
 }
 bool enter() {
-  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false);
+  return pressed(ImGuiKey_Enter);
 }
 
 /// Puts the cursor so that `count` buttons of `width` end at the right edge.
@@ -40,9 +44,9 @@ bool close_button(const char* label = "Close") {
   const float width = 6 * ImGui::GetFontSize();
   align_buttons(1, width);
   push_accent_button();
-  const bool pressed = ImGui::Button(label, {width, 0});
+  const bool clicked = ImGui::Button(label, {width, 0});
   pop_accent_button();
-  return pressed || escape() || enter();
+  return clicked || escape() || enter();
 }
 
 void wrapped(const std::string& text) {
