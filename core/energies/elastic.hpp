@@ -29,6 +29,7 @@ class ElasticEnergy final : public Energy<D> {
   void hessian_product(const Vector& p, Vector& Hp) override;
   void diagonal(std::vector<Mat<D>>& blocks) override;
   void assemble(BlockMatrix<D>& H) override;
+  bool assemble_stencil(StencilMatrix<D>& H, const std::vector<std::int32_t>& row_of) override;
 
   /// F_p(x^) of the newest evaluation.
   const std::vector<Mat<D>>& F() const { return F_; }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/math/block_matrix.hpp"
+#include "core/math/stencil_matrix.hpp"
 #include "core/types.hpp"
 
 namespace pf {
@@ -27,6 +28,9 @@ class Energy {
   virtual void diagonal(std::vector<Mat<D>>& blocks) = 0;
   /// All of d2E/du2 is added to H, whose pattern holds every pair of nodes that share a cell.
   virtual void assemble(BlockMatrix<D>& H) = 0;
+  /// The same for a preconditioner: node i is row row_of[i] of H. False, and nothing is added, where the term's
+  /// diagonal blocks say enough.
+  virtual bool assemble_stencil(StencilMatrix<D>& /*H*/, const std::vector<std::int32_t>& /*row_of*/) { return false; }
 };
 
 }  // namespace pf

@@ -65,6 +65,7 @@ class Plan {
   double spacing() const { return spacing_; }
   int node_count() const { return node_count_; }
   const std::array<long long, D>& node_index(int node) const { return index_[static_cast<std::size_t>(node)]; }
+  const std::vector<std::array<long long, D>>& node_indices() const { return index_; }
   /// The node's own place x_i [m].
   Vec<D> node_position(int node) const {
     Vec<D> x;

@@ -109,6 +109,17 @@ void IncrementalPotential<D>::assemble(BlockMatrix<D>& H) {
 }
 
 template <int D>
+void IncrementalPotential<D>::assemble_stencil(StencilMatrix<D>& H, const std::vector<std::int32_t>& row_of) {
+  std::vector<Mat<D>> blocks(row_of.size(), Mat<D>::Zero());
+  for (Energy<D>* term : terms_)
+    if (!term->assemble_stencil(H, row_of)) term->diagonal(blocks);
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    float* const to = H.diagonal_block(row_of[i]);
+    for (int k = 0; k < D * D; ++k) to[k] += static_cast<float>(blocks[i](k));
+  }
+}
+
+template <int D>
 double IncrementalPotential<D>::norm(const Vector& g) const {
   return std::sqrt(g.cwiseAbs2().dot(weight_));
 }

@@ -21,6 +21,8 @@ class IncrementalPotential final : public Objective<D> {
   void hessian_product(const Vector& p, Vector& Hp) override;
   void diagonal(std::vector<Mat<D>>& blocks) override;
   void assemble(BlockMatrix<D>& H) override;
+  Lattice<D> lattice() const override { return {plan_.node_indices(), plan_.nodes_per_axis() - 1}; }
+  void assemble_stencil(StencilMatrix<D>& H, const std::vector<std::int32_t>& row_of) override;
   double norm(const Vector& g) const override;
   double scale() const override;
   double energy_scale() const override { return energy_scale_; }

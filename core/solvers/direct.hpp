@@ -16,8 +16,6 @@ class DirectSolver final : public LinearSolver<D> {
   void new_step() override { analysed_ = false; }
 
  private:
-  void fill(const LinearProblem<D>& problem);
-
   BlockMatrix<D> H_;
   Eigen::SparseMatrix<double> matrix_;  ///< lower triangle
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factors_;

@@ -4,14 +4,19 @@
 
 #include "core/solvers/block_jacobi.hpp"
 #include "core/solvers/direct.hpp"
+#include "core/solvers/incomplete_cholesky.hpp"
+#include "core/solvers/multigrid.hpp"
 #include "core/solvers/pcg.hpp"
 
 namespace pf {
 
 namespace {
-constexpr std::array<LinearSolverInfo, 3> registry{{
+constexpr std::array<LinearSolverInfo, 5> registry{{
     {"auto", "Automatic", "Conjugate gradients; in 2D the direct solver once the counted iterations make it cheaper."},
     {"pcg_jacobi", "Conjugate gradients, block-Jacobi", "Matrix-free; best for soft or large scenes."},
+    {"pcg_ic", "Conjugate gradients, incomplete Cholesky", "For 2D scenes of middling stiffness; one thread."},
+    {"pcg_multigrid", "Conjugate gradients, multigrid",
+     "Iterations hardly grow with stiffness or a finer grid; best for stiff or large scenes."},
     {"direct", "Direct (sparse Cholesky)", "Exact and unmoved by stiffness; best for small 2D scenes."},
 }};
 }  // namespace
@@ -23,6 +28,8 @@ std::span<const LinearSolverInfo> linear_solvers() {
 template <int D>
 std::unique_ptr<Preconditioner<D>> make_preconditioner(std::string_view name, Parallel& parallel) {
   if (name == "pcg_jacobi") return std::make_unique<BlockJacobi<D>>(parallel);
+  if (name == "pcg_ic") return std::make_unique<IncompleteCholesky<D>>();
+  if (name == "pcg_multigrid") return std::make_unique<Multigrid<D>>(parallel);
   return nullptr;
 }
 

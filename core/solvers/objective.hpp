@@ -5,9 +5,17 @@
 #include <vector>
 
 #include "core/math/block_matrix.hpp"
+#include "core/math/stencil_matrix.hpp"
 #include "core/types.hpp"
 
 namespace pf {
+
+/// Where the nodes lie: multigrid coarsens their lattice.
+template <int D>
+struct Lattice {
+  const std::vector<std::array<long long, D>>& index;
+  int reach;  ///< nodes further apart than this along an axis are not coupled; the degree of the splines
+};
 
 template <int D>
 class Objective {
@@ -23,6 +31,9 @@ class Objective {
   virtual void diagonal(std::vector<Mat<D>>& blocks) = 0;
   /// H, lower triangle; the pattern stays the same during a step.
   virtual void assemble(BlockMatrix<D>& H) = 0;
+  virtual Lattice<D> lattice() const = 0;
+  /// H for a preconditioner: nearly all of it, in single precision; node i is row row_of[i].
+  virtual void assemble_stencil(StencilMatrix<D>& H, const std::vector<std::int32_t>& row_of) = 0;
   /// The norm of THEORY T4: components weighted by 1/sqrt(m_i).
   virtual double norm(const Vector& g) const = 0;
   /// What the norm of g is compared with at the point of the newest gradient(): T4's maximum.

@@ -8,10 +8,26 @@
 namespace pf {
 
 template <int D>
+void Pcg<D>::new_step() {
+  prepared_ = false;
+  preconditioner_->new_step();
+}
+
+template <int D>
+void Pcg<D>::prepare(const LinearProblem<D>& problem) {
+  if (prepared_ && directions_ == problem.directions && wasted_ < preconditioner_->cost()) return;
+  preconditioner_->prepare(problem);
+  prepared_ = true;
+  directions_ = problem.directions;
+  fresh_iterations_ = -1;
+  wasted_ = 0;
+}
+
+template <int D>
 LinearResult Pcg<D>::solve(const LinearProblem<D>& problem, Vector& p) {
   LinearResult result;
   const Eigen::Index n = problem.g.size();
-  preconditioner_->prepare(problem);
+  prepare(problem);
   p = Vector::Zero(n);
   z_.resize(n);
   product_.resize(n);
@@ -33,6 +49,7 @@ LinearResult Pcg<D>::solve(const LinearProblem<D>& problem, Vector& p) {
     const double curvature = dot(parallel_, direction_, product_);
     if (!(curvature > 0)) {
       result.negative_curvature = true;
+      prepared_ = false;  // what was made of an indefinite Hessian is no good for its projection
       return result;
     }
     const double alpha = rz / curvature;
@@ -48,6 +65,11 @@ LinearResult Pcg<D>::solve(const LinearProblem<D>& problem, Vector& p) {
     });
     rz = next;
   }
+  // Compared by digits won: later solves of a step are asked for more or fewer of them.
+  const double digits = std::max(0.1, -std::log10(std::max(problem.tolerance, 1e-15)));
+  const double each = result.iterations / digits;
+  if (fresh_iterations_ < 0) fresh_iterations_ = each;
+  wasted_ = std::max(0.0, wasted_ + (each - fresh_iterations_) * digits);
   return result;
 }
 

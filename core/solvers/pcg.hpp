@@ -12,12 +12,19 @@ class Pcg final : public LinearSolver<D> {
       : name_(name), preconditioner_(std::move(preconditioner)), parallel_(parallel) {}
   std::string_view name() const override { return name_; }
   LinearResult solve(const LinearProblem<D>& problem, Vector& p) override;
-  void new_step() override { preconditioner_->new_step(); }
+  void new_step() override;
 
  private:
+  /// Makes a new preconditioner, unless the one at hand costs fewer iterations than making one would.
+  void prepare(const LinearProblem<D>& problem);
+
   std::string_view name_;
   std::unique_ptr<Preconditioner<D>> preconditioner_;
   Parallel& parallel_;
+  bool prepared_ = false;
+  double fresh_iterations_ = -1;    ///< a decimal digit, of the first solve with this preconditioner
+  double wasted_ = 0;               ///< iterations above that, since
+  std::vector<Mat<D>> directions_;  ///< that it was made for
   Vector r_, z_, direction_, product_;
 };
 

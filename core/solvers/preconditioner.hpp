@@ -10,8 +10,11 @@ template <int D>
 class Preconditioner {
  public:
   virtual ~Preconditioner() = default;
-  /// Called once for each new Hessian, before apply().
+  /// Makes B for the Hessian of the problem. One that was made for another Hessian of the same step and the same free
+  /// directions serves too, less well.
   virtual void prepare(const LinearProblem<D>& problem) = 0;
+  /// What prepare() costs, in iterations.
+  virtual int cost() const = 0;
   /// z = B^-1 r; `r` and `z` lie in the free directions, and z depends linearly and symmetrically on r.
   virtual void apply(const LinearProblem<D>& problem, const Vector& r, Vector& z) = 0;
   /// The step's nodes have changed: forget what depends on them.

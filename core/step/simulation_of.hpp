@@ -59,6 +59,8 @@ class SimulationOf final : public Simulation {
   void add_body(std::size_t index);
   void make_settings();
   void choose_solver();
+  std::string automatic_solver();
+  double expected_iterations() const;
   void build_plan_or_throw();
   double next_dt() const;
   Attempt attempt(double dt, const std::atomic<bool>* cancel, StepReport& report);

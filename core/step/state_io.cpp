@@ -1,4 +1,5 @@
 // The complete state as bytes: a run that goes on from it gives the same bits.
+#include <algorithm>
 #include <istream>
 #include <ostream>
 
@@ -69,6 +70,23 @@ void get(std::istream& in, std::vector<RubbingNode<D>>& nodes) {
 
 }  // namespace
 
+namespace {
+
+/// States tell the solver that was chosen last by a number that never changes its meaning.
+constexpr std::string_view solver_codes[] = {"", "direct", "pcg_jacobi", "pcg_multigrid", "pcg_ic"};
+
+std::int64_t solver_code(std::string_view name) {
+  const auto at = std::find(std::begin(solver_codes), std::end(solver_codes), name);
+  return at == std::end(solver_codes) ? 0 : at - std::begin(solver_codes);
+}
+
+std::string solver_of(std::int64_t code) {
+  const bool known = code >= 0 && code < static_cast<std::int64_t>(std::size(solver_codes));
+  return std::string(known ? solver_codes[code] : solver_codes[0]);
+}
+
+}  // namespace
+
 template <int D>
 void SimulationOf<D>::save_state(std::ostream& out) const {
   put(out, magic);
@@ -80,7 +98,7 @@ void SimulationOf<D>::save_state(std::ostream& out) const {
   // What "auto" has counted so far decides what it does next.
   put(out, static_cast<std::int64_t>(accepted_.newton.size()));
   put(out, static_cast<std::int64_t>(accepted_.linear_iterations));
-  put(out, static_cast<std::int64_t>(chosen_solver_ == "direct"));
+  put(out, solver_code(chosen_solver_));
   particles_.each([&](const auto& values) { put(out, values); });
   put(out, rubbing_);
   put(out, conditions_.displacement());
@@ -126,7 +144,7 @@ void SimulationOf<D>::load_state(std::istream& in) {
   accepted_.active_nodes = plan_.node_count();
   accepted_.newton.resize(static_cast<std::size_t>(solves));
   accepted_.linear_iterations = static_cast<int>(linear);
-  if (direct != 0) chosen_solver_ = "direct";
+  chosen_solver_ = solver_of(direct);
 }
 
 template void SimulationOf<2>::save_state(std::ostream&) const;

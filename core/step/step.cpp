@@ -115,29 +115,6 @@ void SimulationOf<D>::tell_of_blend(const MassMatrix<D>& M, StepReport& report) 
 }
 
 template <int D>
-void SimulationOf<D>::choose_solver() {
-  std::string name = scene_.solver.linear;
-  choice_reason_.clear();
-  if (name == "auto") {
-    // Counted, never timed: a 2D factorisation costs about as much as 150 Hessian products.
-    const auto solves = static_cast<int>(accepted_.newton.size()) - 1;
-    const int each = solves > 0 ? accepted_.linear_iterations / solves : 0;
-    const bool stay = chosen_solver_ == "direct";
-    name = D == 2 && plan_.node_count() < 30000 && (stay || each > 150) ? "direct" : "pcg_jacobi";
-    if (name == "direct")
-      choice_reason_ = "conjugate gradients took more than 150 iterations a solve";
-    else
-      choice_reason_ = "few iterations a solve";
-  }
-  if (grab_ && name == "direct") {
-    name = "pcg_jacobi";
-    choice_reason_ = "the mouse's spring couples nodes beyond the direct solver's pattern";
-  }
-  if (!linear_ || linear_->name() != name) linear_ = make_linear_solver<D>(name, parallel_);
-  chosen_solver_ = name;
-}
-
-template <int D>
 typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(double dt, const std::atomic<bool>* cancel,
                                                            StepReport& report) {
   Lap lap;

@@ -1,0 +1,35 @@
+#include "core/solvers/incomplete_cholesky.hpp"
+
+#include "core/solvers/block_jacobi.hpp"
+#include "core/solvers/free_matrix.hpp"
+
+namespace pf {
+
+template <int D>
+void IncompleteCholesky<D>::prepare(const LinearProblem<D>& problem) {
+  free_matrix(problem, H_, matrix_);
+  factors_.compute(matrix_);
+  fallback_.clear();
+  if (factors_.info() == Eigen::Success) return;
+  free_diagonal(problem, fallback_);
+  invert_diagonal<D>(fallback_);
+}
+
+template <int D>
+void IncompleteCholesky<D>::apply(const LinearProblem<D>& problem, const Vector& r, Vector& z) {
+  if (fallback_.empty()) {
+    z = factors_.solve(r);
+  } else {
+    z.resize(r.size());
+    for (std::size_t i = 0; i < fallback_.size(); ++i) {
+      const auto at = static_cast<Eigen::Index>(i) * D;
+      z.segment<D>(at) = fallback_[i] * r.segment<D>(at);
+    }
+  }
+  problem.set.restrict_to(problem.directions, z);
+}
+
+template class IncompleteCholesky<2>;
+template class IncompleteCholesky<3>;
+
+}  // namespace pf

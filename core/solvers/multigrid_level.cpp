@@ -1,0 +1,186 @@
+#include "core/solvers/multigrid_level.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+#include "core/math/vector_ops.hpp"
+
+namespace pf {
+
+namespace {
+
+using Index = std::ptrdiff_t;
+
+/// What one row of the matrix does in a sweep.
+template <int D, int R>
+struct Row {
+  static constexpr int width = window_width<D, R>;
+  static constexpr int lines = D == 2 ? R + 1 : R * (2 * R + 1) + R + 1;
+  static constexpr int lanes = window_lanes<width>, parts = width / lanes;
+  using Lanes = FloatLanes<lanes>;
+
+  static Lanes load(const float* from) {
+    Lanes v;
+    __builtin_memcpy(&v, from, sizeof v);
+    return v;
+  }
+
+  /// sum[a] += the lower half of the row times x, over the windows of [first, last) slots.
+  static inline __attribute__((always_inline)) void gather(const float* row, const std::int32_t* windows, int first,
+                                                           int last, const float* x, float* sum) {
+    Lanes total[D][parts] = {};
+    for (int l = 0; l < lines; ++l) {
+      if (windows[l] < first || windows[l] >= last) continue;
+      const float* const at = x + static_cast<Index>(windows[l]) * D;
+      const float* const entries = row + static_cast<Index>(l) * D * width;
+      for (int k = 0; k < parts; ++k) {
+        const Lanes value = load(at + k * lanes);
+        for (int a = 0; a < D; ++a) total[a][k] += load(entries + a * width + k * lanes) * value;
+      }
+    }
+    for (int a = 0; a < D; ++a) {
+      Lanes v = total[a][0];
+      for (int k = 1; k < parts; ++k) v += total[a][k];
+      for (int half = lanes / 2; half > 0; half /= 2)
+        for (int j = 0; j < half; ++j) v[j] += v[j + half];
+      sum[a] += v[0];
+    }
+  }
+
+  /// to += the transposed lower half of the row times the row's own `value`, over the same windows.
+  static inline __attribute__((always_inline)) void push(const float* row, const std::int32_t* windows, int first,
+                                                         int last, const float* value, float* to) {
+    for (int l = 0; l < lines; ++l) {
+      if (windows[l] < first || windows[l] >= last) continue;
+      float* const at = to + static_cast<Index>(windows[l]) * D;
+      const float* const entries = row + static_cast<Index>(l) * D * width;
+      for (int k = 0; k < parts; ++k) {
+        Lanes sum = load(at + k * lanes);
+        for (int a = 0; a < D; ++a) sum += load(entries + a * width + k * lanes) * value[a];
+        __builtin_memcpy(at + k * lanes, &sum, sizeof sum);
+      }
+    }
+  }
+};
+
+constexpr int all_slots = 0x7fffffff;
+
+/// Gauss-Seidel on one row: x_i = inverse (b_i - rest_i - lower half times x), then x_i's part in the rows before it.
+template <int D, int R>
+inline void relax(const MultigridLevel<D>& level, int i, float* x, float* rest) {
+  using Sweep = Row<D, R>;
+  const Index at = static_cast<Index>(level.layout.slot(i)) * D;
+  const float* const row = level.A.row(i);
+  const std::int32_t* const windows = level.layout.windows(i);
+  float known[D] = {};
+  Sweep::gather(row, windows, 0, all_slots, x, known);
+  const float* const inverse = level.inverse.data() + static_cast<Index>(i) * D * D;
+  float value[D] = {};
+  for (int c = 0; c < D; ++c) {
+    const float force = level.b[static_cast<std::size_t>(at + c)] - rest[at + c] - known[c];
+    for (int a = 0; a < D; ++a) value[a] += inverse[a + D * c] * force;
+  }
+  for (int a = 0; a < D; ++a) {
+    x[at + a] = value[a];
+    rest[at + a] = 0;
+  }
+  Sweep::push(row, windows, 0, all_slots, value, rest);
+}
+
+/// body(chunk) for the chunks of one parity.
+template <class Chunks, class Body>
+void for_chunks(Parallel& parallel, const Chunks& chunks, int parity, Body&& body) {
+  const int count = (static_cast<int>(chunks.size()) + 1 - parity) / 2;
+  parallel(count, [&](int k) { body(chunks[static_cast<std::size_t>(2 * k + parity)]); });
+}
+
+void fill_zero(Parallel& parallel, Floats& v) {
+  for_pieces(parallel, static_cast<Index>(v.size()),
+             [&](Index begin, Index count) { std::fill_n(v.begin() + begin, count, 0.0f); });
+}
+
+/// Whether a row is coupled with the chunk before its own.
+template <class Layout, class Chunk>
+bool reaches_out(const Layout& layout, const Chunk& chunk, int row) {
+  const std::int32_t* windows = layout.windows(row);
+  for (int l = 0; l < layout.lines(); ++l)
+    if (windows[l] >= 0) return windows[l] < chunk.slot_begin;
+  return false;
+}
+
+}  // namespace
+
+template <int D>
+void MultigridLevel<D>::resize() {
+  const auto n = static_cast<std::size_t>(layout.slots()) * D;
+  for (Floats* v : {&b, &x, &rest_}) v->assign(n, 0);
+}
+
+template <int D>
+void MultigridLevel<D>::invert_diagonal(Parallel& parallel) {
+  using Block = Eigen::Matrix<float, D, D>;
+  inverse.resize(A.diagonal.size());
+  for_pieces(parallel, layout.rows(), [&](Index begin, Index count) {
+    for (Index i = begin; i < begin + count; ++i) {
+      const Block block = Eigen::Map<const Block>(A.diagonal_block(static_cast<int>(i)));
+      Eigen::Map<Block> out(inverse.data() + i * D * D);
+      const Mat<D> wide = block.template cast<double>();
+      const Eigen::SelfAdjointEigenSolver<Mat<D>> eigen(0.5 * (wide + wide.transpose()));
+      const double least = 1e-5 * eigen.eigenvalues().cwiseAbs().maxCoeff();
+      Mat<D> result = Mat<D>::Zero();
+      for (int k = 0; k < D; ++k) {
+        const double value = eigen.eigenvalues()[k];
+        const Vec<D> axis = eigen.eigenvectors().col(k);
+        if (value > least && value > 1e-30) result += axis * axis.transpose() / value;
+      }
+      out = result.template cast<float>();
+    }
+  });
+}
+
+template <int D>
+void MultigridLevel<D>::smooth_from_zero(Parallel& parallel) {
+  fill_zero(parallel, x);
+  fill_zero(parallel, rest_);
+  with_reach(layout.reach(), [&](auto r) {
+    constexpr int R = r;
+    const auto& chunks = layout.chunks();
+    for (const int parity : {0, 1})
+      for_chunks(parallel, chunks, parity, [&](const auto& chunk) {
+        for (int i = chunk.row_begin; i < chunk.row_end; ++i) relax<D, R>(*this, i, x.data(), rest_.data());
+      });
+    // Rows of even chunks have not seen the odd chunk before theirs.
+    for_chunks(parallel, chunks, 0, [&](const auto& chunk) {
+      for (int i = chunk.row_begin; i < chunk.row_end; ++i) {
+        if (!reaches_out(layout, chunk, i)) continue;
+        Row<D, R>::gather(A.row(i), layout.windows(i), 0, chunk.slot_begin, x.data(),
+                          rest_.data() + static_cast<Index>(layout.slot(i)) * D);
+      }
+    });
+  });
+}
+
+template <int D>
+void MultigridLevel<D>::smooth_back(Parallel& parallel) {
+  fill_zero(parallel, rest_);
+  with_reach(layout.reach(), [&](auto r) {
+    constexpr int R = r;
+    const auto& chunks = layout.chunks();
+    for_chunks(parallel, chunks, 0, [&](const auto& chunk) {
+      for (int i = chunk.row_begin; i < chunk.row_end; ++i) {
+        if (!reaches_out(layout, chunk, i)) continue;
+        Row<D, R>::push(A.row(i), layout.windows(i), 0, chunk.slot_begin,
+                        x.data() + static_cast<Index>(layout.slot(i)) * D, rest_.data());
+      }
+    });
+    for (const int parity : {1, 0})
+      for_chunks(parallel, chunks, parity, [&](const auto& chunk) {
+        for (int i = chunk.row_end - 1; i >= chunk.row_begin; --i) relax<D, R>(*this, i, x.data(), rest_.data());
+      });
+  });
+}
+
+template class MultigridLevel<2>;
+template class MultigridLevel<3>;
+
+}  // namespace pf
