@@ -8,6 +8,10 @@ namespace pf {
 
 inline constexpr int max_nodes_per_axis = 4;
 
+/// Several numbers of s at once, one a particle.
+typedef double FourNumbers __attribute__((vector_size(32)));   // NOLINT: the attribute needs a typedef
+typedef double EightNumbers __attribute__((vector_size(64)));  // NOLINT: the same
+
 /// A tensor-product basis. `weights(s, base, N, dN)`: s = x/dx; the nodes base, base + 1, ... (nodes_per_axis of
 /// them) have N_r = N(s - base - r) and dN_r = N'(s - base - r) (per unit of s: divide by dx).
 struct BasisInfo {
@@ -19,6 +23,13 @@ struct BasisInfo {
   /// it is singular and APIC takes its affine part from grad N (THEORY T5).
   bool affine_by_moments;
   void (*weights)(double s, long long& base, double* N, double* dN);
+  /// base = floor(s - offset).
+  double offset;
+  /// D_p / dx^2 where affine_by_moments.
+  double moment;
+  /// The same weights of particles whose base is known: t = s - base.
+  void (*four)(const FourNumbers& t, FourNumbers* N, FourNumbers* dN);
+  void (*eight)(const EightNumbers& t, EightNumbers* N, EightNumbers* dN);
 };
 
 /// Every basis, in the order in which it is offered.

@@ -7,10 +7,10 @@
 
 namespace pf {
 
-inline void cubic_weights(double s, long long& base, double* N, double* dN) {
-  const double floor = std::floor(s);
-  base = static_cast<long long>(floor) - 1;
-  const double f = s - floor, g = 1 - f;  // distances to the two inner nodes
+/// Of t = s - base, in [1, 2): the distance from the first node.
+template <class T>
+void cubic_values(const T& t, T* N, T* dN) {
+  const T f = t - 1, g = 1 - f;  // distances to the two inner nodes
   N[0] = g * g * g / 6;
   N[1] = 2.0 / 3 - f * f + 0.5 * f * f * f;
   N[2] = 2.0 / 3 - g * g + 0.5 * g * g * g;
@@ -21,8 +21,21 @@ inline void cubic_weights(double s, long long& base, double* N, double* dN) {
   dN[3] = 0.5 * f * f;
 }
 
-inline constexpr BasisInfo cubic_basis{
-    "cubic", "Cubic B-spline", "Smoothest; four nodes an axis, about twice the cost of quadratic in 3D.", 4,
-    true,    cubic_weights};
+inline void cubic_weights(double s, long long& base, double* N, double* dN) {
+  const double floor = std::floor(s);
+  base = static_cast<long long>(floor) - 1;
+  cubic_values(s - (floor - 1), N, dN);
+}
+
+inline constexpr BasisInfo cubic_basis{"cubic",
+                                       "Cubic B-spline",
+                                       "Smoothest; four nodes an axis, about twice the cost of quadratic in 3D.",
+                                       4,
+                                       true,
+                                       cubic_weights,
+                                       1,
+                                       1.0 / 3,
+                                       cubic_values<FourNumbers>,
+                                       cubic_values<EightNumbers>};
 
 }  // namespace pf

@@ -7,18 +7,31 @@
 
 namespace pf {
 
+/// Of t = s - base, in [0, 1): the distance from the first node.
+template <class T>
+void linear_values(const T& t, T* N, T* dN) {
+  N[0] = 1 - t;
+  N[1] = t;
+  dN[0] = T{} - 1;
+  dN[1] = T{} + 1;
+}
+
 inline void linear_weights(double s, long long& base, double* N, double* dN) {
   const double floor = std::floor(s);
   base = static_cast<long long>(floor);
-  const double f = s - floor;
-  N[0] = 1 - f;
-  N[1] = f;
-  dN[0] = -1;
-  dN[1] = 1;
+  linear_values(s - floor, N, dN);
 }
 
 inline constexpr BasisInfo linear_basis{
-    "linear", "Linear (Q1)", "Cheapest; force jumps when a particle crosses a cell face. Steffen et al. 2008.",
-    2,        false,         linear_weights};
+    "linear",
+    "Linear (Q1)",
+    "Cheapest; force jumps when a particle crosses a cell face. Steffen et al. 2008.",
+    2,
+    false,
+    linear_weights,
+    0,
+    0,
+    linear_values<FourNumbers>,
+    linear_values<EightNumbers>};
 
 }  // namespace pf

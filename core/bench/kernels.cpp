@@ -90,8 +90,8 @@ void Kernels<D>::elastic() {
     potential.hessian_product(p, Hp);
   });
   std::vector<Mat<D>> blocks(static_cast<std::size_t>(body_.plan.node_count()));
-  const double nodes = D == 2 ? K_ * K_ : K_ * K_ * K_;
-  add("block diagonal", {weights + tangent, nodes * 2 * (D * D * D * D + D * D * D * (D + 1) / 2.0)}, [&] {
+  const double C = D * (D + 1) / 2.0, rows = D == 2 ? K_ : K_ * K_;
+  add("block diagonal", {weights + tangent, 2 * C * rows * (6 + 3 * K_)}, [&] {
     std::fill(blocks.begin(), blocks.end(), Mat<D>::Zero());
     potential.diagonal(blocks);
   });

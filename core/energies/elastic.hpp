@@ -31,6 +31,8 @@ class ElasticEnergy final : public Energy<D> {
   void assemble(BlockMatrix<D>& H) override;
   bool assemble_stencil(StencilMatrix<D>& H, const std::vector<std::int32_t>& row_of) override;
 
+  /// g += dE/du at u = 0, where F_p = F_p^n: nothing is gathered. What an explicit step needs.
+  void add_force_at_rest(Vector& g);
   /// F_p(x^) of the newest evaluation.
   const std::vector<Mat<D>>& F() const { return F_; }
 
@@ -40,6 +42,10 @@ class ElasticEnergy final : public Energy<D> {
 
   void deform(const Block<D>& block, const Vector& u);
   double block_energy(const Block<D>& block);
+  /// psi and P of a block's particles.
+  void block_stress(const Block<D>& block, const std::vector<Mat<D>>& F);
+  /// V_p^0 P_p F_p^nT, a lane a particle.
+  void batch_flux(const Batch& batch, Wide<W> (*flux)[D]) const;
   void block_tangents(const Block<D>& block, bool project);
   double ordered_sum() const;
 

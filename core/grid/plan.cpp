@@ -6,6 +6,8 @@
 #include <limits>
 #include <numeric>
 
+#include "core/grid/records.hpp"
+
 namespace pf {
 
 namespace {
@@ -70,8 +72,9 @@ bool Plan<D>::make_keys(const Particles<D>& particles, Keys& keys) const {
     long long first = 0, last = 0;
     basis_->weights(low[a] * inverse, first, N, dN);
     basis_->weights(high[a] * inverse, last, N, dN);
-    keys.origin[a] = first & ~static_cast<long long>(block_edge - 1);
-    keys.block_bits[a] = bits_for(static_cast<std::uint64_t>(last - keys.origin[a]) >> edge_bits);
+    // A cell more on either side: rounding may place a particle on a cell's face differently elsewhere.
+    keys.origin[a] = (first - 1) & ~static_cast<long long>(block_edge - 1);
+    keys.block_bits[a] = bits_for(static_cast<std::uint64_t>(last + 1 - keys.origin[a]) >> edge_bits);
     bits += keys.block_bits[a];
   }
   std::uint16_t materials = 0;
@@ -119,14 +122,17 @@ void Plan<D>::sort(Particles<D>& particles, Keys& keys) {
   const double inverse = 1 / spacing_;
   key_.resize(n);
   order_.resize(n);
-  double N[max_nodes_per_axis], dN[max_nodes_per_axis];
+  const double offset = basis_->offset;
+  bool sorted = true;
   for (std::size_t p = 0; p < n; ++p) {
     std::array<long long, D> base{};
-    for (int a = 0; a < D; ++a) basis_->weights(particles.x[p][a] * inverse, base[static_cast<std::size_t>(a)], N, dN);
+    for (int a = 0; a < D; ++a)
+      base[static_cast<std::size_t>(a)] = static_cast<long long>(std::floor(particles.x[p][a] * inverse - offset));
     key_[p] = keys.pack(base, particles.material[p]);
-    order_[p] = static_cast<std::uint32_t>(p);
+    sorted = sorted && (p == 0 || key_[p - 1] <= key_[p]);
   }
-  if (std::is_sorted(key_.begin(), key_.end())) return;
+  if (sorted) return;
+  std::iota(order_.begin(), order_.end(), 0u);
   radix_sort(key_, order_, key_scratch_, order_scratch_, keys.total_bits);
   particles.each([&](auto& values) { permute(values, order_); });
 }
@@ -287,9 +293,19 @@ void Plan<D>::number_nodes() {
   }
 }
 
+namespace {
+
+/// x / dx, rounded as a number of its own: fused with what follows, a particle on a cell's face would stand beside it.
+template <class Lane>
+__attribute__((noinline)) Lane in_cells(const Lane& x, double inverse) {
+  return x * inverse;
+}
+
+}  // namespace
+
 template <int D>
 void Plan<D>::compute_weights(const Particles<D>& particles, Parallel& parallel) {
-  const int K = nodes_per_axis();
+  const int K = nodes_per_axis(), edge = block_edge + K - 1;
   const std::size_t stride = static_cast<std::size_t>(2 * D * K);
   weights_.resize(batches_.size() * stride);
   const double inverse = 1 / spacing_;
@@ -298,17 +314,26 @@ void Plan<D>::compute_weights(const Particles<D>& particles, Parallel& parallel)
     for (int i = block.batch_begin; i < block.batch_end; ++i) {
       const Batch& batch = batches_[static_cast<std::size_t>(i)];
       Wide<W>* out = weights_.data() + static_cast<std::size_t>(i) * stride;
-      std::fill(out, out + stride, Wide<W>{});
-      for (int lane = 0; lane < batch.count; ++lane)
-        for (int a = 0; a < D; ++a) {
-          double N[max_nodes_per_axis], dN[max_nodes_per_axis];
-          long long base = 0;
-          basis_->weights(particles.x[static_cast<std::size_t>(batch.first + lane)][a] * inverse, base, N, dN);
-          for (int r = 0; r < K; ++r) {
-            out[a * K + r][lane] = N[r];
-            out[(D + a) * K + r][lane] = dN[r] * inverse;
-          }
+      Wide<W> x[D], inside{};
+      load_lanes<D>(particles.x[static_cast<std::size_t>(batch.first)].data(), batch.count, x);
+      for (int lane = 0; lane < batch.count; ++lane) inside[lane] = 1;
+      int node = batch.node;
+      for (int a = 0; a < D; ++a, node /= edge) {
+        // All particles of a batch have the same first node.
+        const auto base = static_cast<double>(block.corner[static_cast<std::size_t>(a)] + node % edge);
+        Wide<W> t = in_cells(x[a], inverse) - base;
+        t = t < basis_->offset ? Wide<W>{} + basis_->offset : t;
+        t = t > basis_->offset + 1 ? Wide<W>{} + (basis_->offset + 1) : t;
+        Wide<W>*const N = out + a * K, *const dN = out + (D + a) * K;
+        if constexpr (W == 4)
+          basis_->four(t, N, dN);
+        else
+          basis_->eight(t, N, dN);
+        for (int r = 0; r < K; ++r) {
+          N[r] *= inside;
+          dN[r] *= inside * inverse;
         }
+      }
     }
   });
 }

@@ -27,10 +27,12 @@ void rub(const FeasibleSet<D>& set, const Vector& before, Vector& u) {
 template <int D>
 NewtonResult SymplecticEuler<D>::advance(const StepProblem<D>& problem) {
   const GridState<D>& grid = problem.grid;
-  Vector g = -problem.force, magnitude = Vector::Zero(grid.mass.size());
-  Vector u = Vector::Zero(grid.v.size());
-  problem.elastic.gradient(u, g, magnitude);
-  if (problem.grab) problem.grab->gradient(u, g, magnitude);
+  Vector g = -problem.force, u = Vector::Zero(grid.v.size());
+  problem.elastic.add_force_at_rest(g);
+  if (problem.grab) {
+    Vector magnitude = Vector::Zero(grid.mass.size());
+    problem.grab->gradient(u, g, magnitude);
+  }
   Vector a = Vector::Zero(u.size());
   if (problem.mass.consistent()) {
     double residual = 0;

@@ -28,14 +28,18 @@ Vec3 affine_angular(const Mat<D>& C, const Vec<D>& inertia) {
 
 }  // namespace
 
+namespace {
+
+/// Of the particles of one block.
 template <int D>
-Balance particle_balance(const Particles<D>& particles, const Laws<D>& laws, const Plan<D>& plan, bool affine,
-                         const Vec<D>& gravity) {
+Balance block_balance(const Particles<D>& particles, const Laws<D>& laws, const Plan<D>& plan, const Block<D>& block,
+                      bool affine, const Vec<D>& gravity) {
   Balance b;
-  std::vector<double> psi(128);
-  for (const MaterialRun& run : plan.runs()) {
+  double psi[128];
+  for (int r = block.run_begin; r < block.run_end; ++r) {
+    const MaterialRun& run = plan.runs()[static_cast<std::size_t>(r)];
     const auto n = static_cast<std::size_t>(run.end - run.begin);
-    laws[run.material]->energy({particles.F.data() + run.begin, n}, {psi.data(), n});
+    laws[run.material]->energy({particles.F.data() + run.begin, n}, {psi, n});
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t p = static_cast<std::size_t>(run.begin) + k;
       const double m = particles.mass[p];
@@ -52,6 +56,27 @@ Balance particle_balance(const Particles<D>& particles, const Laws<D>& laws, con
     }
   }
   return b;
+}
+
+}  // namespace
+
+template <int D>
+Balance particle_balance(const Particles<D>& particles, const Laws<D>& laws, const Plan<D>& plan, bool affine,
+                         const Vec<D>& gravity, Parallel& parallel) {
+  std::vector<Balance> parts(plan.blocks().size());
+  parallel(static_cast<int>(parts.size()), [&](int k) {
+    const auto i = static_cast<std::size_t>(k);
+    parts[i] = block_balance(particles, laws, plan, plan.blocks()[i], affine, gravity);
+  });
+  Balance sum;
+  for (const Balance& b : parts) {
+    sum.kinetic += b.kinetic;
+    sum.elastic += b.elastic;
+    sum.potential += b.potential;
+    sum.momentum += b.momentum;
+    sum.angular_momentum += b.angular_momentum;
+  }
+  return sum;
 }
 
 template <int D>
@@ -82,9 +107,10 @@ StateCheck check_state(const Particles<D>& particles) {
   return check;
 }
 
-#define PF_INSTANTIATE(D)                                                                                         \
-  template Balance particle_balance<D>(const Particles<D>&, const Laws<D>&, const Plan<D>&, bool, const Vec<D>&); \
-  template Vec3 grid_angular_momentum<D>(const Plan<D>&, const Vector&, const Vector&);                           \
+#define PF_INSTANTIATE(D)                                                                                        \
+  template Balance particle_balance<D>(const Particles<D>&, const Laws<D>&, const Plan<D>&, bool, const Vec<D>&, \
+                                       Parallel&);                                                               \
+  template Vec3 grid_angular_momentum<D>(const Plan<D>&, const Vector&, const Vector&);                          \
   template StateCheck check_state<D>(const Particles<D>&);
 PF_INSTANTIATE(2)
 PF_INSTANTIATE(3)

@@ -146,7 +146,7 @@ bool SimulationOf<D>::apply(const Scene& scene) {
   if (was_affine && !transfer_->affine())
     for (Mat<D>& C : particles_.C) C.setZero();
   if (physics || basis)
-    accepted_.balance = particle_balance<D>(particles_, laws_, plan_, transfer_->affine(), loads_.gravity());
+    accepted_.balance = particle_balance<D>(particles_, laws_, plan_, transfer_->affine(), loads_.gravity(), parallel_);
   return true;
 }
 

@@ -257,7 +257,7 @@ void SimulationOf<D>::restore_state() {
 template <int D>
 void SimulationOf<D>::fill_diagnostics(StepReport& report) const {
   report.time = time_;
-  report.balance = particle_balance<D>(particles_, laws_, plan_, transfer_->affine(), loads_.gravity());
+  report.balance = particle_balance<D>(particles_, laws_, plan_, transfer_->affine(), loads_.gravity(), parallel_);
   const StateCheck check = check_state(particles_);
   report.min_J = check.min_J;
   report.max_J = check.max_J;

@@ -1,5 +1,6 @@
 #include "core/transfers/apic.hpp"
 
+#include "core/grid/records.hpp"
 #include "core/grid/stencil.hpp"
 
 namespace pf {
@@ -23,34 +24,33 @@ void ApicTransfer<D>::grid_to_particles(const Plan<D>& plan, const GridState<D>&
         Lane slopes[D * K];
         if (by_moments) {
           int node = batch.node;
+          Lane x[D];
+          load_lanes<D>(particles.x[static_cast<std::size_t>(batch.first)].data(), batch.count, x);
           for (int a = 0; a < D; ++a) {
             const double first =
                 static_cast<double>(block.corner[static_cast<std::size_t>(a)] + node % S::edge) * plan.spacing();
             node /= S::edge;
             Lane inertia{};
             for (int r = 0; r < K; ++r) {
-              Lane distance{};
-              for (int lane = 0; lane < batch.count; ++lane)
-                distance[lane] =
-                    first + r * plan.spacing() - particles.x[static_cast<std::size_t>(batch.first + lane)][a];
+              const Lane distance = first + r * plan.spacing() - x[a];
               slopes[a * K + r] = w[a * K + r] * distance;
               inertia += slopes[a * K + r] * distance;
             }
             for (int lane = batch.count; lane < lane_count<D>; ++lane) inertia[lane] = 1;
-            for (int r = 0; r < K; ++r) slopes[a * K + r] /= inertia;
+            inertia = 1.0 / inertia;
+            for (int r = 0; r < K; ++r) slopes[a * K + r] *= inertia;
           }
         } else {
           for (int r = 0; r < D * K; ++r) slopes[r] = w[D * K + r];
         }
         Lane value[D], C[D][D];
         S::template gather<true, true>(local + batch.node * D, w, slopes, value, C);
-        for (int lane = 0; lane < batch.count; ++lane) {
-          const auto p = static_cast<std::size_t>(batch.first + lane);
-          for (int a = 0; a < D; ++a) {
-            particles.v[p][a] = value[a][lane];
-            for (int b = 0; b < D; ++b) particles.C[p](a, b) = C[a][b][lane];
-          }
-        }
+        const auto p = static_cast<std::size_t>(batch.first);
+        store_lanes<D>(value, batch.count, particles.v[p].data());
+        Lane columns[D * D];
+        for (int a = 0; a < D; ++a)
+          for (int b = 0; b < D; ++b) columns[a + D * b] = C[a][b];
+        store_lanes<D * D>(columns, batch.count, particles.C[p].data());
       }
     });
   });

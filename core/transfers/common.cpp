@@ -1,6 +1,7 @@
 // What all transfers share.
 #include <cmath>
 
+#include "core/grid/records.hpp"
 #include "core/grid/stencil.hpp"
 #include "core/transfers/transfer.hpp"
 
@@ -18,15 +19,12 @@ void moment_weights(const Plan<D>& plan, const Particles<D>& particles, const Bl
                     const Wide<lane_count<D>>* w, Wide<lane_count<D>>* moments) {
   const int edge = block_edge + K - 1;
   int node = batch.node;
+  Wide<lane_count<D>> x[D];
+  load_lanes<D>(particles.x[at(batch.first)].data(), batch.count, x);
   for (int a = 0; a < D; ++a) {
     const double first = static_cast<double>(block.corner[static_cast<std::size_t>(a)] + node % edge) * plan.spacing();
     node /= edge;
-    for (int r = 0; r < K; ++r) {
-      Wide<lane_count<D>> distance{};
-      for (int lane = 0; lane < batch.count; ++lane)
-        distance[lane] = first + r * plan.spacing() - particles.x[at(batch.first + lane)][a];
-      moments[a * K + r] = w[a * K + r] * distance;
-    }
+    for (int r = 0; r < K; ++r) moments[a * K + r] = w[a * K + r] * (first + r * plan.spacing() - x[a]);
   }
 }
 
@@ -45,18 +43,16 @@ void particles_to_grid(const Plan<D>& plan, const Particles<D>& particles, bool 
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
         const Batch& batch = plan.batches()[at(i)];
         const Wide<lane_count<D>>* w = plan.weights(i);
-        Wide<lane_count<D>> value[C] = {}, flux[C][D] = {};
-        for (int lane = 0; lane < batch.count; ++lane) {
-          const std::size_t p = at(batch.first + lane);
-          const double m = particles.mass[p];
-          for (int a = 0; a < D; ++a) {
-            value[a][lane] = m * particles.v[p][a];
-            if (affine)
-              for (int b = 0; b < D; ++b) flux[a][b][lane] = m * particles.C[p](a, b);
-          }
-          value[D][lane] = m;
-        }
+        using Lane = Wide<lane_count<D>>;
+        Lane value[C], flux[C][D] = {};
+        const Lane m = value[D] = load_lane<Lane>(particles.mass.data() + batch.first, batch.count);
+        load_lanes<D>(particles.v[at(batch.first)].data(), batch.count, value);
+        for (int a = 0; a < D; ++a) value[a] *= m;
         if (affine) {
+          Lane affine_velocity[D * D];
+          load_lanes<D * D>(particles.C[at(batch.first)].data(), batch.count, affine_velocity);
+          for (int a = 0; a < D; ++a)
+            for (int b = 0; b < D; ++b) flux[a][b] = m * affine_velocity[a + D * b];
           Wide<lane_count<D>> moments[D * K];
           moment_weights<D, K>(plan, particles, block, batch, w, moments);
           S::template scatter<true, true>(value, flux, w, moments, local + batch.node * C);
@@ -174,15 +170,17 @@ void move_particles(const Plan<D>& plan, const Vector& u, Parallel& parallel, Pa
         const Wide<lane_count<D>>* w = plan.weights(i);
         Wide<lane_count<D>> value[D], gradient[D][D];
         S::template gather<true, true>(local + batch.node * D, w, w + D * K, value, gradient);
-        for (int lane = 0; lane < batch.count; ++lane) {
-          const std::size_t p = at(batch.first + lane);
-          Mat<D> F_hat = Mat<D>::Identity();
-          for (int a = 0; a < D; ++a) {
-            particles.x[p][a] += value[a][lane];
-            for (int b = 0; b < D; ++b) F_hat(a, b) += gradient[a][b][lane];
-          }
-          particles.F[p] = (F_hat * particles.F[p]).eval();
-        }
+        Wide<lane_count<D>> x[D], F_hat[D * D], F_n[D * D], F[D * D];
+        double* const positions = particles.x[at(batch.first)].data();
+        load_lanes<D>(positions, batch.count, x);
+        for (int a = 0; a < D; ++a) x[a] += value[a];
+        store_lanes<D>(x, batch.count, positions);
+        double* const deformations = particles.F[at(batch.first)].data();
+        for (int a = 0; a < D; ++a)
+          for (int b = 0; b < D; ++b) F_hat[a + D * b] = a == b ? gradient[a][b] + 1.0 : gradient[a][b];
+        load_lanes<D * D>(deformations, batch.count, F_n);
+        multiply_lanes<D>(F_hat, F_n, F);
+        store_lanes<D * D>(F, batch.count, deformations);
       }
     });
   });
@@ -190,6 +188,7 @@ void move_particles(const Plan<D>& plan, const Vector& u, Parallel& parallel, Pa
 
 template <int D>
 Vec<D> affine_inertia(const BasisInfo& basis, double spacing, const Vec<D>& x) {
+  if (basis.affine_by_moments) return Vec<D>::Constant(basis.moment * spacing * spacing);
   Vec<D> inertia = Vec<D>::Zero();
   for (int a = 0; a < D; ++a) {
     double N[max_nodes_per_axis], dN[max_nodes_per_axis];

@@ -60,10 +60,10 @@ struct RoundTrip {
     transfer->grid_to_particles(grid.plan, grid.state, grid.particles, grid.parallel);
     after = balance();
   }
-  Balance balance() const {
+  Balance balance() {
     Laws<D> laws;
     laws.push_back(make_law<D>("neo_hookean", test::typical_parameters(*find_law("neo_hookean"))));
-    return particle_balance<D>(grid.particles, laws, grid.plan, transfer->affine(), Vec<D>::Zero());
+    return particle_balance<D>(grid.particles, laws, grid.plan, transfer->affine(), Vec<D>::Zero(), grid.parallel);
   }
   Grid<D> grid;
   std::unique_ptr<Transfer<D>> transfer;
