@@ -2,9 +2,11 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include "core/math/parallel.hpp"
 #include "core/solvers/feasible_set.hpp"
@@ -36,6 +38,11 @@ class LinearSolver {
   virtual LinearResult solve(const LinearProblem<D>& problem, Vector& p) = 0;
   /// The step's nodes have changed: forget what depends on them.
   virtual void new_step() {}
+  /// Multiply-adds since the last call, those of Hessian products and of their assembly left out.
+  std::uint64_t take_operations() { return std::exchange(operations_, 0); }
+
+ protected:
+  std::uint64_t operations_ = 0;  ///< to be added to by solve()
 };
 
 /// A linear solver as the menu knows it.

@@ -46,6 +46,7 @@ LinearResult Pcg<D>::solve(const LinearProblem<D>& problem, Vector& p) {
     problem.objective.hessian_product(direction_, product_);
     problem.set.restrict_to(problem.directions, product_);
     ++result.iterations;
+    this->operations_ += 6 * static_cast<std::uint64_t>(n) + preconditioner_->operations();
     const double curvature = dot(parallel_, direction_, product_);
     if (!(curvature > 0)) {
       result.negative_curvature = true;

@@ -57,6 +57,7 @@ const StepReport& SimulationOf<D>::step(const std::atomic<bool>* cancel) {
     return returned_;
   }
   keep_state();
+  work_ = {};
   double dt = next_dt();
   for (int retry = 0;; ++retry) {
     StepReport report;
@@ -118,7 +119,6 @@ template <int D>
 typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(double dt, const std::atomic<bool>* cancel,
                                                            StepReport& report) {
   Lap lap;
-  work_ = {};
   const double stage = time_ + integrator_->stage() * dt;
   grid_velocity(report);
   lap(report.ms.transfer);
@@ -140,6 +140,7 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(double dt, const std:
   const NewtonSettings newton{scene_.solver.newton_tolerance, scene_.solver.max_newton};
   const NewtonResult solved = integrator_->advance(
       {plan_, M, elastic, spring ? &*spring : nullptr, set, force, dt, newton, *linear_, parallel_, cancel, grid_});
+  work_.solver_operations += linear_->take_operations();
   lap(report.ms.linear_solve);
   if (solved.status == NewtonStatus::cancelled) return {Attempt::cancelled, ""};
   // Angular momentum by cause: what the two transfers change, and what the step on the grid does (THEORY T6).

@@ -205,7 +205,10 @@ StudyFigure line_figure(const Study& study, std::span<const StudyRow> rows, cons
       figure.point.push_back(near.point);
     }
   }
-  for (const double slope : spec.slopes) chart.triangles.push_back({.slope = slope});
+  // Triangles of a fifth of the width.
+  const auto [least, most] = std::minmax_element(xs.begin(), xs.end());
+  const double decades = xs.empty() || !(*least > 0) ? 0.5 : std::max(0.05, 0.2 * std::log10(*most / *least));
+  for (const double slope : spec.slopes) chart.triangles.push_back({.slope = slope, .decades = decades});
   chart.mark_pareto = spec.pareto;
   chart.pareto_ties = ties;
   if (chart.series.size() > 5) chart.legend = LegendPlace::outside_right;

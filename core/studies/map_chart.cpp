@@ -118,7 +118,7 @@ std::string threshold_text(const Study& study) {
 }
 
 void add_limits(const Study& study, const Chart& frame, Chart& chart) {
-  constexpr int pieces = 200;
+  constexpr int pieces = 1000;
   for (const StudyLimit& limit : study.limits) {
     const bool up = !limit.y.empty();  // y as a function of x
     const Axis& axis = up ? frame.x : frame.y;
@@ -131,6 +131,11 @@ void add_limits(const Study& study, const Chart& frame, Chart& chart) {
       double arguments[variable_count] = {};
       arguments[up ? var_x : var_y] = at;
       const double value = expression(arguments);
+      const Axis& other = up ? frame.y : frame.x;
+      if (!(value >= *other.min && value <= *other.max)) {
+        series.x.push_back(not_measured), series.y.push_back(not_measured);  // breaks the line at the map's edge
+        continue;
+      }
       series.x.push_back(up ? at : value);
       series.y.push_back(up ? value : at);
     }

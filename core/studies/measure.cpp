@@ -44,6 +44,7 @@ class Meter final : public RunObserver {
     row.tangent += static_cast<double>(w.tangent);
     row.hessian_product += static_cast<double>(w.hessian_product);
     row.assembly += static_cast<double>(w.assembly);
+    row.solver_operations += static_cast<double>(w.solver_operations);
   }
   StudyRow row;
   double wall = 0;
@@ -77,6 +78,8 @@ class Ledger {
   /// A state of whose energy and momentum something is known.
   void judge(const Balance& now, double time, const std::optional<Balance>& should) {
     if (should && first_should_) {
+      expected_ = std::max(expected_,
+                           should->kinetic + should->elastic + std::abs(should->potential - first_should_->potential));
       energy(now.total() - first_.total() - (should->total() - first_should_->total()));
       momentum(now.momentum - should->momentum);
       angular(now.angular_momentum - should->angular_momentum);
@@ -89,7 +92,7 @@ class Ledger {
   }
   bool known_at_every_state() const { return !first_should_ || conserves_energy_; }
   double at_play() const {
-    const double energy = first_.kinetic + first_.elastic + swing_;
+    const double energy = std::max(first_.kinetic + first_.elastic + swing_, expected_);
     return energy > 0 ? energy : kinetic_;
   }
   double gained() const { return at_play() > 0 ? gained_ / at_play() : not_measured; }
@@ -116,7 +119,7 @@ class Ledger {
   Vec3 gravity_;
   Balance first_;
   std::optional<Balance> first_should_;
-  double mass_, spin_ = 0, kinetic_ = 0, swing_ = 0;
+  double mass_, spin_ = 0, kinetic_ = 0, swing_ = 0, expected_ = 0;
   double gained_ = not_measured, lost_ = not_measured, change_ = not_measured, drift_ = not_measured,
          turned_ = not_measured;
 };

@@ -21,9 +21,10 @@ struct MeasureSettings {
 /// Runs the scene to its end and measures it. Nothing throws for what is wrong with the run: the row says it.
 /// `reference` may be nullptr. `cancelled` tells whether the run was given up for `cancel`; the row is then nothing.
 ///
-/// Energy at play: kinetic and elastic energy at the beginning plus the largest change of potential energy; where both
-/// are zero, the largest kinetic energy. Energy gained (lost): how far the total rose above (fell below) what it should
-/// be, at worst: what the reference has at that time, or else what it was at first, where nothing outside does work.
+/// Energy at play: kinetic and elastic energy at the beginning plus the largest change of potential energy, or what of
+/// all three the reference has at most; where these are zero, the largest kinetic energy. Energy gained (lost): how far
+/// the total rose above (fell below) what it should be, at worst: what the reference has at that time, or else what it
+/// was at first, where nothing outside does work.
 StudyRow measure_run(const Scene& scene, const Reference* reference, const MeasureSettings& settings,
                      const std::atomic<bool>* cancel, bool& cancelled);
 

@@ -46,7 +46,7 @@ constexpr RowColumn table[] = {
     {"visits_tangent", "Visits, tangent", "", &StudyRow::tangent},
     {"visits_hessian_product", "Visits, Hessian product", "", &StudyRow::hessian_product},
     {"visits_assembly", "Visits, assembly", "", &StudyRow::assembly},
-    {"flops_factorisation", "Operations, factorisation", "", &StudyRow::factorisation},
+    {"solver_operations", "Multiply-adds of the linear solver", "", &StudyRow::solver_operations},
 };
 
 constexpr std::string_view statuses[] = {"ok", "unstable", "failed", "timeout"};

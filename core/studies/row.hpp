@@ -36,7 +36,7 @@ struct StudyRow {
   double dt = not_measured, dx = not_measured;  ///< settings as run [s], [m]
   double particles = not_measured;
   double p2g = 0, g2p = 0, energy = 0, gradient = 0, tangent = 0, hessian_product = 0, assembly = 0,
-         factorisation = 0;  ///< particle visits by kernel
+         solver_operations = 0;  ///< StepReport::work
 };
 
 /// A column of numbers.

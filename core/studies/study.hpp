@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/scene/scene.hpp"
@@ -20,8 +21,7 @@ struct StudyValue {
 /// One entry of "vary". All combinations of the axes' values are run. An array of override objects is a single axis
 /// without a name.
 struct StudyAxis {
-  std::string key;    ///< "/time/step"; a name of one's own for override objects; "" for the array form
-  std::string title;  ///< for charts; "" where the file gives none
+  std::string key;  ///< "/time/step"; a name of one's own for override objects; "" for the array form
   std::vector<StudyValue> values;
   bool is_pointer() const { return key.starts_with('/'); }
 };
@@ -71,8 +71,9 @@ struct Study {
   int threads = 1;                    ///< of one run
   int samples = 1;                    ///< times at which a run is compared, evenly spaced, the last one the end
   StudyThresholds thresholds;
-  std::string along;    ///< column that changes along a line; "" chooses one
-  std::string measure;  ///< column that colours a map
+  std::string along;                                        ///< column that changes along a line; "" chooses one
+  std::string measure;                                      ///< column that colours a map
+  std::vector<std::pair<std::string, std::string>> titles;  ///< of columns, for charts: "Time step [s]"
   std::vector<StudyChart> charts;
   std::vector<StudyLimit> limits;
 };

@@ -139,6 +139,7 @@ void check_charts(Reader& reader, const Study& study) {
       reader.refuse(pointer + "/name", quoted_excerpt(study.charts[k].name), "a file name without folders");
   }
   check("/along", study.along, true);
+  for (const auto& [column, title] : study.titles) check("/titles" + pointer_step(column), column, false);
   if (study.kind != StudyKind::stability_map) return;
   const auto numbers = [](const StudyAxis& axis) {
     return axis.is_pointer() && axis.values.size() > 1 &&

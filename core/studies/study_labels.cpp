@@ -38,13 +38,17 @@ std::string value_label(const std::string& column, const nlohmann::json& value) 
 }
 
 std::pair<std::string, std::string> column_title(const Study& study, const std::string& column) {
+  for (const auto& [named, title] : study.titles) {
+    if (named != column) continue;
+    const std::size_t unit = title.rfind(" [");
+    if (unit == std::string::npos || !title.ends_with(']')) return {title, ""};
+    return {title.substr(0, unit), title.substr(unit + 2, title.size() - unit - 3)};
+  }
   if (column == "cost") {
     const RowColumn* found = find_row_column(study.cost == "work" ? "work" : "wall_s");
     return {std::string(found->title), std::string(found->unit)};
   }
   if (const RowColumn* found = find_row_column(column)) return {std::string(found->title), std::string(found->unit)};
-  for (const StudyAxis& axis : study.axes)
-    if (axis.key == column && !axis.title.empty()) return {axis.title, ""};
   const Setting* setting = column.starts_with('/') ? find_setting(column) : nullptr;
   if (setting != nullptr && !column.starts_with("/constants/")) return {setting->label, setting->unit};
   return {column.starts_with('/') ? column.substr(column.rfind('/') + 1) : column, ""};

@@ -83,6 +83,17 @@ void read_edits(Reader& reader, const Json& json, std::vector<Edit>& edits) {
   }
 }
 
+void read_titles(Reader& reader, const Json& json, std::vector<std::pair<std::string, std::string>>& titles) {
+  if (!json.is_object()) return reader.refuse(describe(json), "an object { \"column\": \"Title [unit]\", ... }");
+  for (const auto& [column, title] : json.items()) {
+    const Reader::Step step(reader, column);
+    if (title.is_string())
+      titles.emplace_back(column, title.get<std::string>());
+    else
+      reader.refuse(describe(title), "a text such as \"Time step [s]\"");
+  }
+}
+
 /// A key that is only kept: what it means needs the scene.
 void keep(TableOf<StudyDocument>& t, Json StudyDocument::*member, std::string key, std::string label, bool required) {
   Key& row = t.own(Nesting::leaf, nullptr, std::move(key), std::move(label));
@@ -192,6 +203,11 @@ const Table& study_table() {
     nested(t, threshold_table, "thresholds", "Thresholds", [](Reader& r, const Json& j, void* o) {
       read_table(r, threshold_table(), j, &static_cast<StudyDocument*>(o)->study.thresholds);
     });
+    Key& titles = t.own(Nesting::map, nullptr, "titles", "Titles of columns in charts");
+    titles.read = [](Reader& r, const Json& j, void* o) {
+      read_titles(r, j, static_cast<StudyDocument*>(o)->study.titles);
+    };
+    titles.write = [](const void*, const WriteStyle&) { return std::optional<Json>(); };
     text_of(t, of_study(&Study::along), "along", "What changes along a line");
     choice_of(
         t, [](StudyDocument& d, const std::string& name) { d.study.measure = name; }, "measure", "What colours a map")
