@@ -116,8 +116,8 @@ std::string subtitle_of(const Study& study, const StudyChart& spec, std::size_t 
     text += (text.empty() ? "" : "; ") + std::string("median of ") + std::to_string(study.repeat) +
             " runs, bars: least and most";
   if (left_out > 0)
-    text +=
-        (text.empty() ? "" : "; ") + std::to_string(left_out) + (left_out == 1 ? " run" : " runs") + " failed or grew";
+    text += (text.empty() ? "" : "; ") + std::to_string(left_out) + (left_out == 1 ? " run" : " runs") +
+            " failed or blew up";
   return text;
 }
 
@@ -167,7 +167,8 @@ StudyFigure line_figure(const Study& study, std::span<const StudyRow> rows, cons
   std::size_t left_out = 0;
   for (const StudyRow& row : rows) {
     const Place x = place_of(study, row, spec.x), y = place_of(study, row, spec.y);
-    if (row.status != RowStatus::ok) {
+    // A run that grew but came to its end has an error like any other; the other bad ones stopped half-way.
+    if (row.behaviour == RunClass::failed || row.behaviour == RunClass::blown_up) {
       ++left_out;
       if (std::isfinite(x.value) && std::isfinite(y.value)) add_point(bad, x, y, false, false, row.point);
       continue;
@@ -196,7 +197,7 @@ StudyFigure line_figure(const Study& study, std::span<const StudyRow> rows, cons
     for (std::size_t k = 0; k < bad.point.size(); ++k)
       if (bad.series.y[k] <= most && bad.series.y[k] > 0)
         add_point(near, {bad.series.x[k]}, {bad.series.y[k]}, false, false, bad.point[k]);
-    near.series.label = "failed or grew";
+    near.series.label = "failed or blew up";
     near.series.style = SeriesStyle::points;
     near.series.mark = MarkShape::cross;
     near.series.pinned = true;
