@@ -146,3 +146,26 @@ TEST_CASE("charts are made of whatever rows there are, and know which setting a 
   REQUIRE(best["best"].size() > 0);
   CHECK(best["best"][0]["error_l2"].get<double>() <= best["best"][0]["tolerance"].get<double>());
 }
+
+TEST_CASE("every shipped study is sound, its first run comes to something, and its charts can be drawn") {
+  const std::filesystem::path folder = std::filesystem::path(PUSHFORWARD_SOURCE) / "assets/studies";
+  const std::string page = read_file(std::filesystem::path(PUSHFORWARD_SOURCE) / "docs/charts.md");
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    CAPTURE(entry.path().string());
+    Study study = load_study(entry.path());
+    CHECK_FALSE(study.name.empty());
+    CHECK_FALSE(study.about.empty());
+    CHECK(page.find("(images/charts/" + entry.path().stem().string()) != std::string::npos);
+    // The coarsest run, for a look: settings are kept, repeats and the fine run are not.
+    study.repeat = 1;
+    study.reference = study.reference == ReferenceKind::run ? ReferenceKind::none : study.reference;
+    StudyDriver driver(study, {});
+    const std::optional<StudyRow> row = driver.advance(nullptr);
+    REQUIRE(row.has_value());
+    CHECK(row->steps > 0);
+    for (const StudyFigure& figure : study_figures(study, driver.rows())) CHECK_FALSE(figure.chart.title.empty());
+    ++count;
+  }
+  CHECK(count >= 9);
+}
