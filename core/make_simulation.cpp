@@ -46,15 +46,28 @@ double estimated_memory(const Scene& scene) {
   return total;
 }
 
-std::unique_ptr<Simulation> make_simulation(const Scene& scene, const SimulationOptions& options) {
+namespace {
+
+void refuse_beyond_memory(const Scene& scene) {
   const double needed = estimated_memory(scene), available = machine_memory();
-  if (!(needed < 0.9 * available))
-    throw InputError("", {{"/grid/spacing", "a scene that would need about " + gigabytes(needed) + " of memory",
-                           "at most " + gigabytes(0.9 * available) +
-                               " on this machine: a larger spacing, smaller bodies or fewer particles_per_axis",
-                           0}});
-  if (scene.dimension == 2) return std::make_unique<SimulationOf<2>>(scene, options);
-  return std::make_unique<SimulationOf<3>>(scene, options);
+  if (needed < 0.9 * available) return;
+  throw InputError("", {{"/grid/spacing", "a scene that would need about " + gigabytes(needed) + " of memory",
+                         "at most " + gigabytes(0.9 * available) +
+                             " on this machine: a larger spacing, smaller bodies or fewer particles_per_axis",
+                         0}});
+}
+
+}  // namespace
+
+std::unique_ptr<Simulation> make_simulation(const Scene& scene, const SimulationOptions& options) {
+  try {
+    refuse_beyond_memory(scene);
+    if (scene.dimension == 2) return std::make_unique<SimulationOf<2>>(scene, options);
+    return std::make_unique<SimulationOf<3>>(scene, options);
+  } catch (const InputError& error) {
+    if (!error.file().empty() || options.file.empty()) throw;
+    throw InputError(options.file, error.problems());
+  }
 }
 
 }  // namespace pf

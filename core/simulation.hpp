@@ -42,7 +42,8 @@ struct ParticleState {
 };
 
 struct SimulationOptions {
-  int threads = 0;  ///< 0: all hardware threads; never changes a result
+  int threads = 0;     ///< 0: all hardware threads; never changes a result
+  std::string file{};  ///< the scene's, for messages
 };
 
 /// Owns particles and grid. Not thread-safe: one thread calls it; only `cancel` may be set from another.
@@ -62,6 +63,7 @@ class Simulation {
   /// Lets step() go on past scene().time.end.
   virtual void set_end(double end) = 0;
   /// Applies a changed scene between steps. False, and nothing done, when the change needs a reset (Setting::applies).
+  /// Throws InputError when the changed conditions contradict each other; nothing is done then either.
   virtual bool apply(const Scene& scene) = 0;
   virtual void set_grab(const std::optional<Grab>& grab) = 0;
 

@@ -125,7 +125,7 @@ int run_scene(const RunOptions& options) {
   const Scene scene = load(options);
   std::optional<Checkpoint> checkpoint;
   if (options.resume) checkpoint = read_checkpoint(*options.resume);
-  const std::unique_ptr<Simulation> simulation = make_simulation(scene, {.threads = thread_count(options)});
+  const std::unique_ptr<Simulation> simulation = make_simulation(scene, {thread_count(options), options.scene});
   RunCursor cursor;
   if (checkpoint) {
     resume(*simulation, scene, *checkpoint, options.resume->string());

@@ -97,6 +97,7 @@ NewtonResult BackwardEuler<D>::advance(const StepProblem<D>& problem) {
     newton.tolerance = std::clamp(0.1 * unsettled, problem.newton.tolerance, 1e-2);
     NewtonResult again = minimise(potential, set, problem.linear, newton, problem.cancel, u);
     again.linear_iterations += result.linear_iterations;
+    result.iterations.pop_back();  // where one minimisation ends the next begins
     again.iterations.insert(again.iterations.begin(), result.iterations.begin(), result.iterations.end());
     result = std::move(again);
   }

@@ -2,6 +2,7 @@
 
 #include "core/bases/basis.hpp"
 #include "core/integrators/integrator.hpp"
+#include "core/scene/shapes/shape_types.hpp"
 #include "core/solvers/linear_solver.hpp"
 #include "core/transfers/transfer.hpp"
 
@@ -32,17 +33,6 @@ constexpr Choice contact_table[] = {
 };
 constexpr Choice control_table[] = {
     {"fixed", "Fixed step", "every step as long as time.step"},
-};
-constexpr Choice shape_table[] = {
-    {"box", "Box", "between two corners"},
-    {"ball", "Ball", "a disc in 2D"},
-    {"cylinder", "Cylinder", "round, between the centres of its two ends; 3D"},
-    {"polygon", "Polygon", "closed by itself, must not cross itself; 2D"},
-    {"half_space", "Half space", "everything behind a plane (3D) or a line (2D); normal points out of it"},
-    {"where", "Where", "all points between two corners where an expression in X Y Z is positive"},
-    {"union", "Union", "what is in any of several shapes"},
-    {"difference", "Difference", "the first shape without the others"},
-    {"intersection", "Intersection", "what is in all of several shapes"},
 };
 
 }  // namespace
@@ -76,7 +66,12 @@ std::span<const Choice> step_control_choices() {
   return control_table;
 }
 std::span<const Choice> shape_choices() {
-  return shape_table;
+  static const std::vector<Choice> choices = [] {
+    std::vector<Choice> list;
+    for (const ShapeType& type : shape_types()) list.push_back({type.name, type.label, type.help});
+    return list;
+  }();
+  return choices;
 }
 
 const Choice* find_choice(std::span<const Choice> choices, std::string_view name) {

@@ -4,6 +4,7 @@
 
 #include "core/params/nearest.hpp"
 #include "core/scene/key_builder.hpp"
+#include "core/scene/shapes/shape_types.hpp"
 #include "core/scene/tables.hpp"
 
 namespace pf {
@@ -13,32 +14,6 @@ constexpr double farthest = 1e9;                                   // [m]
 constexpr std::size_t most_points = 10'000, most_members = 1'000;  // of one shape, booleans inside it included
 constexpr int deepest = 16;                                        // booleans inside one another
 
-/// The keys that each type must have, besides "type".
-struct ShapeKeys {
-  std::string_view type;
-  int dimension;  ///< 0: both
-  std::vector<std::string> keys;
-};
-const std::vector<ShapeKeys>& shape_keys() {
-  static const std::vector<ShapeKeys> table = {
-      {"box", 0, {"min", "max"}},
-      {"ball", 0, {"center", "radius"}},
-      {"cylinder", 3, {"from", "to", "radius"}},
-      {"polygon", 2, {"points"}},
-      {"half_space", 0, {"point", "normal"}},
-      {"where", 0, {"expression", "min", "max"}},
-      {"union", 0, {"of"}},
-      {"difference", 0, {"of"}},
-      {"intersection", 0, {"of"}},
-  };
-  return table;
-}
-const ShapeKeys* find_shape(std::string_view type) {
-  for (const ShapeKeys& shape : shape_keys()) {
-    if (shape.type == type) return &shape;
-  }
-  return nullptr;
-}
 const std::vector<std::string>& common_keys() {
   static const std::vector<std::string> keys = {"scale", "rotate", "translate"};
   return keys;
@@ -164,7 +139,7 @@ std::size_t count_members(const Shape& shape) {
 }
 
 /// Reads "type"; nullptr after a problem.
-const ShapeKeys* read_type(Reader& reader, const Json& json, Shape& shape) {
+const ShapeType* read_type(Reader& reader, const Json& json, Shape& shape) {
   const Reader::Step step(reader, "type");
   const Key& key = *shape_table().find("type");
   if (!json.contains("type")) {
@@ -172,7 +147,7 @@ const ShapeKeys* read_type(Reader& reader, const Json& json, Shape& shape) {
     return nullptr;
   }
   if (!read_choice(reader, json["type"], key.setting, shape.type)) return nullptr;
-  const ShapeKeys* type = find_shape(shape.type);
+  const ShapeType* type = find_shape_type(shape.type);
   if (type->dimension != 0 && type->dimension != reader.dimension()) {
     reader.refuse(describe(json["type"]), "shapes for " + std::to_string(reader.dimension()) +
                                               "D; this one needs \"dimension\" " + std::to_string(type->dimension));
@@ -184,7 +159,7 @@ const ShapeKeys* read_type(Reader& reader, const Json& json, Shape& shape) {
 void read_at(Reader& reader, const Json& json, ShapeUse use, Shape& shape, int depth) {
   if (!json.is_object()) return reader.refuse(describe(json), "a shape { \"type\": ..., ... }");
   const std::size_t before = reader.refused();
-  const ShapeKeys* type = read_type(reader, json, shape);
+  const ShapeType* type = read_type(reader, json, shape);
   if (!type) return;
   std::vector<std::string> known = {"type"};
   known.insert(known.end(), type->keys.begin(), type->keys.end());
@@ -201,7 +176,8 @@ void read_at(Reader& reader, const Json& json, ShapeUse use, Shape& shape, int d
       shape_table().find(name)->read(reader, value, &shape);
     }
   }
-  for (const std::string& key : type->keys) {
+  for (const std::string_view name : type->keys) {
+    const std::string key(name);
     if (!json.contains(key)) reader.refuse("/" + key, "nothing", "a value; " + shape.type + " needs this key");
   }
   if (reader.refused() == before)
@@ -271,9 +247,10 @@ void read_shape(Reader& reader, const Json& json, ShapeUse use, Shape& shape) {
 
 Json write_shape(const Shape& shape, const WriteStyle& style) {
   Json object = {{"type", shape.type}};
-  const ShapeKeys* type = find_shape(shape.type);
+  const ShapeType* type = find_shape_type(shape.type);
   if (!type) return object;
-  for (const std::string& key : type->keys) object[key] = *shape_table().find(key)->write(&shape, style);
+  for (const std::string_view key : type->keys)
+    object[std::string(key)] = *shape_table().find(key)->write(&shape, style);
   for (const std::string& name : common_keys()) {
     const Key& key = *shape_table().find(name);
     std::optional<Json> value = key.write(&shape, style);
@@ -284,16 +261,16 @@ Json write_shape(const Shape& shape, const WriteStyle& style) {
 
 Json shape_schema() {
   Json kinds = Json::array();
-  for (const ShapeKeys& shape : shape_keys()) {
-    Json properties = {{"type", {{"const", shape.type}}}};
+  for (const ShapeType& shape : shape_types()) {
+    Json properties = {{"type", {{"const", shape.name}}}};
     Json required = Json::array({"type"});
-    for (const std::string& name : shape.keys) {
-      properties[name] = schema_of_key(*shape_table().find(name));
+    for (const std::string_view name : shape.keys) {
+      properties[std::string(name)] = schema_of_key(*shape_table().find(name));
       required.push_back(name);
     }
     for (const std::string& name : common_keys()) properties[name] = schema_of_key(*shape_table().find(name));
-    kinds.push_back({{"title", find_choice(shape_choices(), shape.type)->label},
-                     {"description", find_choice(shape_choices(), shape.type)->help},
+    kinds.push_back({{"title", shape.label},
+                     {"description", shape.help},
                      {"type", "object"},
                      {"properties", std::move(properties)},
                      {"required", std::move(required)},

@@ -1,59 +1,27 @@
 #include "core/scene/solid.hpp"
 
 #include <Eigen/Geometry>
-#include <array>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 
-#include "core/scene/shapes/shape_solid.hpp"
+#include "core/scene/shapes/shape_types.hpp"
 
 namespace pf {
 namespace {
 
 constexpr int max_nesting = 64;
 
-SolidPointer make(const Shape& shape, int dimension, const Constants& constants, int nesting);
+SolidPointer make(const Shape& shape, const ShapeContext& context);
 
-std::vector<SolidPointer> make_members(const Shape& shape, int dimension, const Constants& constants, int nesting) {
+std::vector<SolidPointer> make_members(const Shape& shape, const ShapeContext& context) {
   if (shape.of.empty()) throw std::invalid_argument("a " + shape.type + " of nothing");
+  ShapeContext deeper = context;
+  ++deeper.nesting;
   std::vector<SolidPointer> members;
-  for (const Shape& member : shape.of) members.push_back(make(member, dimension, constants, nesting + 1));
+  for (const Shape& member : shape.of) members.push_back(make(member, deeper));
   return members;
 }
-
-struct ShapeType {
-  std::string_view name;
-  SolidPointer (*make)(const Shape& shape, int dimension, const Constants& constants, int nesting);
-};
-
-/// Every shape: one line a type.
-constexpr ShapeType types[] = {
-    {"box", [](const Shape& s, int D, const Constants&, int) { return make_box(s, D); }},
-    {"ball", [](const Shape& s, int D, const Constants&, int) { return make_ball(s, D); }},
-    {"cylinder",
-     [](const Shape& s, int D, const Constants&, int) {
-       if (D != 3) throw std::invalid_argument("a cylinder needs 3 dimensions");
-       return make_cylinder(s);
-     }},
-    {"polygon",
-     [](const Shape& s, int D, const Constants&, int) {
-       if (D != 2 || s.points.empty()) throw std::invalid_argument("a polygon needs points in 2 dimensions");
-       return make_polygon(s);
-     }},
-    {"half_space", [](const Shape& s, int D, const Constants&, int) { return make_half_space(s, D); }},
-    {"where", [](const Shape& s, int D, const Constants& c, int) { return make_where(s, D, c); }},
-    {"union", [](const Shape& s, int D, const Constants& c, int n) { return make_union(make_members(s, D, c, n), D); }},
-    {"difference",
-     [](const Shape& s, int D, const Constants& c, int n) { return make_difference(make_members(s, D, c, n), D); }},
-    {"intersection",
-     [](const Shape& s, int D, const Constants& c, int n) { return make_intersection(make_members(s, D, c, n), D); }},
-};
-
-constexpr auto names = [] {
-  std::array<std::string_view, std::size(types)> list;
-  for (std::size_t i = 0; i < list.size(); ++i) list[i] = types[i].name;
-  return list;
-}();
 
 Vec3 center_of(const Shape& shape, const Solid& solid) {
   if (shape.type == "half_space") return shape.point;
@@ -74,11 +42,14 @@ Mat3 rotation_of(const Shape& shape, int dimension) {
   return R;
 }
 
-SolidPointer make(const Shape& shape, int dimension, const Constants& constants, int nesting) {
-  if (nesting > max_nesting) throw std::invalid_argument("shapes are nested too deep");
-  const auto type = std::ranges::find(types, shape.type, &ShapeType::name);
-  if (type == std::end(types)) throw std::invalid_argument("no shape is called \"" + shape.type + "\"");
-  SolidPointer solid = type->make(shape, dimension, constants, nesting);
+SolidPointer make(const Shape& shape, const ShapeContext& context) {
+  const int dimension = context.dimension;
+  if (context.nesting > max_nesting) throw std::invalid_argument("shapes are nested too deep");
+  const ShapeType* type = find_shape_type(shape.type);
+  if (!type) throw std::invalid_argument("no shape is called \"" + shape.type + "\"");
+  if (type->dimension != 0 && type->dimension != dimension)
+    throw std::invalid_argument("a " + shape.type + " needs " + std::to_string(type->dimension) + " dimensions");
+  SolidPointer solid = type->make(shape, context);
   const bool moved = shape.scale != 1 || shape.rotate_degrees != 0 || !shape.translate.isZero(0);
   if (!moved) return solid;
   Vec3 translation = shape.translate, center = center_of(shape, *solid);
@@ -88,12 +59,8 @@ SolidPointer make(const Shape& shape, int dimension, const Constants& constants,
 
 }  // namespace
 
-std::span<const std::string_view> shape_types() {
-  return names;
-}
-
 std::unique_ptr<Solid> make_solid(const Shape& shape, int dimension, const Constants& constants) {
-  return make(shape, dimension, constants, 0);
+  return make(shape, {dimension, constants, make_members, 0});
 }
 
 void complete_basis(const Vec3& n, Vec3& u, Vec3& v) {

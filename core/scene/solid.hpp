@@ -3,8 +3,6 @@
 #pragma once
 
 #include <memory>
-#include <span>
-#include <string_view>
 #include <vector>
 
 #include "core/math/expression.hpp"
@@ -48,9 +46,6 @@ class Solid {
   /// the order of h). Faces without end (a half space by itself) have none.
   virtual std::vector<SurfacePoint> surface(double h) const = 0;
 };
-
-/// The names of all shape types, in the order in which they are offered.
-std::span<const std::string_view> shape_types();
 
 /// `shape` has been checked: its type exists in this dimension, its numbers are finite, its members are there; else
 /// std::invalid_argument. Expressions in it may use `constants` (else ExpressionError). `scale`, `rotate` and

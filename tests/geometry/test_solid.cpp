@@ -4,7 +4,7 @@
 #include <limits>
 #include <random>
 
-#include "core/scene/choices.hpp"
+#include "core/scene/shapes/shape_types.hpp"
 #include "shapes_for_tests.hpp"
 
 using namespace pf;
@@ -190,11 +190,13 @@ TEST_CASE("unbounded shapes say so") {
   CHECK(std::isinf(solid(boolean("union", {half_space({0, 0, 0}, {1, 1, 0}), ball({0, 0, 0}, 1)}), 2)->measure(0.1)));
 }
 
-TEST_CASE("every shape type is known by name, others are refused") {
-  CHECK(shape_types().size() == 9);
-  for (const Choice& choice : shape_choices())  // what a scene may ask for
-    CHECK(std::ranges::find(shape_types(), choice.name) != shape_types().end());
-  CHECK(shape_choices().size() == shape_types().size());
+TEST_CASE("shapes of the wrong dimension and unknown ones are refused") {
+  for (const ShapeType& type : shape_types()) {
+    if (type.dimension == 0) continue;
+    Shape other;
+    other.type = type.name;
+    CHECK_THROWS_AS((void)solid(other, 5 - type.dimension), std::invalid_argument);
+  }
   Shape s;
   s.type = "boxx";
   CHECK_THROWS_AS((void)solid(s, 2), std::invalid_argument);

@@ -47,7 +47,32 @@ ErrorNorms final_error(const test::Json& scene) {
   return simulation->report().error;
 }
 
+/// The largest error of two whole swings.
+double worst_error(test::Json scene) {
+  scene["time"]["end"] = 0.8;
+  const auto simulation = test::start(scene, 2);
+  double worst = 0;
+  while (simulation->step().status == StepStatus::accepted) worst = std::max(worst, simulation->report().error.l2);
+  return worst;
+}
+
 }  // namespace
+
+TEST_CASE("a vibrating bar: at one spacing the error falls with the step, at one step it falls with the spacing") {
+  // Backward Euler damps the swing by a part that goes with dt; the walls of the quadratic basis lengthen its period
+  // by one that goes with dx.
+  const double slow = worst_error(bar(32, 0.008)), step = worst_error(bar(32, 0.004)),
+               quick = worst_error(bar(32, 0.002));
+  MESSAGE("dt halved twice: " << slow << " " << step << " " << quick);
+  CHECK(slow / step > 1.5);
+  CHECK(step / quick > 1.6);
+  CHECK(step / quick < 2.4);
+  const double coarse = worst_error(bar(8, 0.001)), middle = worst_error(bar(16, 0.001)),
+               fine = worst_error(bar(32, 0.001));
+  MESSAGE("dx halved twice: " << coarse << " " << middle << " " << fine);
+  CHECK(coarse / middle > 1.5);
+  CHECK(middle / fine > 1.5);
+}
 
 TEST_CASE("a vibrating bar: the error halves when spacing and step are halved together") {
   const double coarse = final_error(bar(16, 0.004)).l2, middle = final_error(bar(32, 0.002)).l2,
