@@ -93,6 +93,7 @@ void remove_axis(const Vec<D>& axis, Mat<D>& projector) {
   const Vec<D> left = projector * axis;
   const double length = left.norm();
   if (length > 1e-9) projector -= (left / length) * (left / length).transpose();
+  if (projector.trace() < 0.5) projector.setZero();  // nothing is left but rounding
 }
 
 template <int D>

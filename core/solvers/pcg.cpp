@@ -35,6 +35,13 @@ LinearResult Pcg<D>::solve(const LinearProblem<D>& problem, Vector& p) {
   preconditioner_->apply(problem, r_, z_);
   direction_ = z_;
   double rz = dot(parallel_, r_, z_);
+  // What an approximate factorisation or a cycle makes of an indefinite Hessian need not be positive itself.
+  const auto indefinite = [&] {
+    result.negative_curvature = true;
+    prepared_ = false;  // no good for the projected Hessian either
+    return result;
+  };
+  if (!(rz >= 0)) return indefinite();
   const double target = problem.tolerance * std::sqrt(rz);
   const int most = static_cast<int>(std::clamp<Eigen::Index>(4 * n, 100, 20000));
   while (std::sqrt(rz) > target && result.iterations < most) {
@@ -48,11 +55,7 @@ LinearResult Pcg<D>::solve(const LinearProblem<D>& problem, Vector& p) {
     ++result.iterations;
     this->operations_ += 6 * static_cast<std::uint64_t>(n) + preconditioner_->operations();
     const double curvature = dot(parallel_, direction_, product_);
-    if (!(curvature > 0)) {
-      result.negative_curvature = true;
-      prepared_ = false;  // what was made of an indefinite Hessian is no good for its projection
-      return result;
-    }
+    if (!(curvature > 0)) return indefinite();
     const double alpha = rz / curvature;
     for_pieces(parallel_, n, [&](std::ptrdiff_t begin, std::ptrdiff_t count) {
       p.segment(begin, count) += alpha * direction_.segment(begin, count);
@@ -60,6 +63,7 @@ LinearResult Pcg<D>::solve(const LinearProblem<D>& problem, Vector& p) {
     });
     preconditioner_->apply(problem, r_, z_);
     const double next = dot(parallel_, r_, z_);
+    if (!(next >= 0)) return indefinite();
     const double beta = next / rz;
     for_pieces(parallel_, n, [&](std::ptrdiff_t begin, std::ptrdiff_t count) {
       direction_.segment(begin, count) = z_.segment(begin, count) + beta * direction_.segment(begin, count);
