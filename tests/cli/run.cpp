@@ -117,13 +117,14 @@ TEST_CASE("Ctrl+C and SIGTERM: exit status 130, outputs closed") {
   here.put("scene.json", falling_block);
   for (const char* signal : {"INT", "TERM"}) {
     CAPTURE(signal);
-    const Outcome outcome = here.run("run scene.json --out o --until 1e6", std::string("timeout -s ") + signal + " 1");
+    const Outcome outcome =
+        here.run("run scene.json --out o --until 1e6", std::string("timeout --foreground -s ") + signal + " 1");
     // timeout reports 124 unless told to hand on the status.
     CHECK(outcome.status == 124);
     CHECK(summary(here / "o")["status"] == "interrupted");
     CHECK(pf::read_file(here / "o/stats.csv").ends_with("\n"));
-    const Outcome kept =
-        here.run("run scene.json --out o --until 1e6", std::string("timeout --preserve-status -s ") + signal + " 1");
+    const Outcome kept = here.run("run scene.json --out o --until 1e6",
+                                  std::string("timeout --foreground --preserve-status -s ") + signal + " 1");
     CHECK(kept.status == 130);
   }
 }

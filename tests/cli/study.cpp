@@ -62,7 +62,8 @@ TEST_CASE("a study that is killed or interrupted goes on where it was") {
   here.put("scene.json", falling_block);
   here.put("study.json", long_study);
   REQUIRE(here.run("study study.json --out whole --quiet").status == 0);
-  CHECK(here.run("study study.json --out parts --quiet", "timeout --preserve-status -s INT 0.5").status == 130);
+  CHECK(here.run("study study.json --out parts --quiet", "timeout --foreground --preserve-status -s INT 0.5").status ==
+        130);
   const std::size_t kept = pf::read_csv(here / "parts/results.csv").rows.size();
   CHECK(kept < 8);
   here.run("study study.json --out parts --quiet", "timeout -s KILL 0.5");
