@@ -288,6 +288,14 @@ Json read_json(std::string_view text, std::vector<Problem>& problems, const Json
   return Parser(text, problems, limits, nullptr).document();
 }
 
+Json read_json(std::string_view text, const std::string& file, std::vector<Problem>& problems) {
+  try {
+    return read_json(text, problems);
+  } catch (const InputError& error) {
+    throw InputError(file, error.problems());
+  }
+}
+
 std::vector<int> json_lines(std::string_view text, std::span<const std::string> pointers) {
   LineMap lines;
   for (std::string pointer : pointers) {

@@ -27,6 +27,8 @@ struct JsonLimits {
 /// keys and numbers too large for double are added to `problems`, and reading goes on: of duplicates the first
 /// counts, such a number becomes a NaN.
 Json read_json(std::string_view text, std::vector<Problem>& problems, const JsonLimits& limits = {});
+/// The same; an InputError names `file`.
+Json read_json(std::string_view text, const std::string& file, std::vector<Problem>& problems);
 
 /// The line (from 1) on which the value that each pointer names begins; its nearest existing ancestor's when it
 /// is not there. `text` has been read by read_json.

@@ -98,12 +98,7 @@ Scene read_scene(Reader& outer, const Json& document, bool events) {
 
 Scene parse_scene(std::string_view text, const std::string& source, std::span<const Edit> edits) {
   std::vector<Problem> problems;
-  Json document;
-  try {
-    document = read_json(text, problems);
-  } catch (const InputError& error) {
-    throw InputError(source, error.problems());
-  }
+  Json document = read_json(text, source, problems);
   return read_document(document, edits, text, source, std::move(problems));
 }
 

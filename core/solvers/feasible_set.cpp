@@ -75,14 +75,19 @@ void FeasibleSet<D>::project(Vector& u) const {
 
 namespace {
 
+/// A face is touched where the gap to it is at most this.
+template <int D>
+double contact_tolerance(const NodeConstraint<D>& c, std::size_t face, const Vec<D>& u, double rounding) {
+  return std::max(rounding, 1e-12 * (u.norm() + std::abs(c.offset[face])));
+}
+
 /// The faces that u touches.
 template <int D>
 unsigned touched_faces(const NodeConstraint<D>& c, const Vec<D>& u, double rounding) {
   unsigned touched = 0;
   for (int k = 0; k < c.faces; ++k) {
-    const double gap = c.normal[static_cast<std::size_t>(k)].dot(u) - c.offset[static_cast<std::size_t>(k)];
-    if (gap <= std::max(rounding, 1e-12 * (u.norm() + std::abs(c.offset[static_cast<std::size_t>(k)]))))
-      touched |= 1u << k;
+    const auto face = static_cast<std::size_t>(k);
+    if (c.normal[face].dot(u) - c.offset[face] <= contact_tolerance(c, face, u, rounding)) touched |= 1u << k;
   }
   return touched;
 }
@@ -190,7 +195,7 @@ bool FeasibleSet<D>::crosses(const Vector& u, const Vector& g, const Vector& d, 
     for (int k = 0; k < c.faces; ++k) {
       if (active.pressed[i] >> k & 1) continue;
       const auto face = static_cast<std::size_t>(k);
-      if (c.normal[face].dot(to) < c.offset[face] - 1e-12 * (to.norm() + std::abs(c.offset[face]))) return true;
+      if (c.normal[face].dot(to) - c.offset[face] < -contact_tolerance(c, face, to, rounding)) return true;
     }
     if (!active.stuck[i] && passes_rest<D>(c, from, g.segment<D>(c.node * D), to, rounding)) return true;
   }

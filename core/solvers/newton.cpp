@@ -46,7 +46,7 @@ class Minimiser {
   Vector g_, free_g_, d_, trial_, trial_g_;
   ActiveSet<D> active_;
   Vector held_, model_g_, natural_g_;
-  Vector tau_;  ///< of FeasibleSet::natural_residual; empty before the first Hessian and where nothing is one-sided
+  Vector tau_;  ///< of FeasibleSet::natural_residual; empty until it is needed
   std::vector<Mat<D>> blocks_;
   double E_ = 0, residual_ = 0, norm_ = 0, previous_norm_ = 0;
   bool project_ = false;
@@ -166,7 +166,7 @@ LinearResult Minimiser<D>::meet_faces(NewtonIteration& record) {
 /// The step of Jacobi's projected method: crude, but E falls along it unless u is the minimum.
 template <int D>
 void Minimiser<D>::take_diagonal_step() {
-  measure_stiffness();
+  if (tau_.size() == 0) measure_stiffness();
   d_.resize(u_.size());
   for (Eigen::Index i = 0; i < tau_.size(); ++i)
     d_.segment<D>(i * D) = -0.5 * tau_[i] * free_g_.template segment<D>(i * D);
@@ -264,11 +264,13 @@ NewtonResult Minimiser<D>::run() {
       // A true Hessian can point uphill far from the minimum: once more with the projected one.
       project_ = true;
       norm_when_projected_ = norm_;
+      reduce();  // the refused step may have left its own active set
       const LinearResult again = solve_for_direction(record);
       if (again.cancelled) return finish(NewtonStatus::cancelled);
       moved = !again.negative_curvature && search(record);
     }
     if (!moved) {
+      reduce();
       take_diagonal_step();
       moved = search(record);
     }

@@ -247,12 +247,7 @@ void check_scene_of(Reader& reader, Study& study, bool said, bool inline_scene) 
 
 Study parse_study(std::string_view text, const std::string& source, const fs::path& folder) {
   std::vector<Problem> problems;
-  Json document;
-  try {
-    document = read_json(text, problems);
-  } catch (const InputError& error) {
-    throw InputError(source, error.problems());
-  }
+  const Json document = read_json(text, source, problems);
   Reader reader(2, {});
   StudyDocument read;
   read.study.source = source;

@@ -10,6 +10,7 @@
 #include "core/studies/results.hpp"
 #include "core/studies/study_charts.hpp"
 #include "small_study.hpp"
+#include "tests/temporary_folder.hpp"
 
 using namespace pf;
 using namespace pf::test;
@@ -38,7 +39,7 @@ void run_all(const Study& study, const std::filesystem::path& folder, int jobs =
 }  // namespace
 
 TEST_CASE("two identical studies agree in everything but time, whatever the number of jobs") {
-  const Folder here;
+  const TemporaryFolder here;
   const Study study = small_study(grid);
   run_all(study, here / "one");
   run_all(study, here / "two", 2);
@@ -47,7 +48,7 @@ TEST_CASE("two identical studies agree in everything but time, whatever the numb
 }
 
 TEST_CASE("a study that was cut off goes on where it was, and ends as if it never had been") {
-  const Folder here;
+  const TemporaryFolder here;
   const Study study = small_study(grid);
   run_all(study, here / "whole");
   {
@@ -68,7 +69,7 @@ TEST_CASE("a study that was cut off goes on where it was, and ends as if it neve
 }
 
 TEST_CASE("another study's folder is left alone, unless told") {
-  const Folder here;
+  const TemporaryFolder here;
   run_all(small_study(grid), here / "out");
   const std::string before = read_file(here / "out/results.csv");
   const Study other = small_study(R"("vary": {"/time/step": [0.004]})");
@@ -108,7 +109,7 @@ TEST_CASE("backward Euler loses what theory says: E/E0 = (1 + w^2 dt^2)^-n") {
 TEST_CASE("measured against a fine run, a run with its settings has no error and a coarser one some") {
   const Study study = small_study(R"("vary": {"/time/step": [0.004, 0.001]}, "reference": {"/time/step": 0.001},
     "samples": 4, "cost": "work")");
-  const Folder here;
+  const TemporaryFolder here;
   StudyDriver driver(study, {.folder = {}, .cache = here.path(), .fresh = false});
   REQUIRE(driver.prepare(nullptr));
   REQUIRE(driver.run(1, nullptr));
@@ -130,7 +131,7 @@ TEST_CASE("charts are made of whatever rows there are, and know which setting a 
   StudyDriver driver(study, {});
   CHECK(study_figures(study, driver.rows()).size() == 2);  // error against cost, error against dt
   REQUIRE(driver.run(1, nullptr));
-  const Folder here;
+  const TemporaryFolder here;
   const std::vector<StudyFigure> figures = study_figures(study, driver.rows());
   const StudyFigure& figure = figures.front();
   REQUIRE(figure.chart.series.size() >= 1);
