@@ -150,9 +150,29 @@ bool GlfwWindow::take_focus_lost() {
   return std::exchange(focus_lost_, false);
 }
 
+void GlfwWindow::hold_presses() {
+  ImGuiIO& io = ImGui::GetIO();
+  const auto same = [](ImVec2 a, ImVec2 b) { return a.x == b.x && a.y == b.y; };
+  const ImVec2 there = io.MousePos;
+  if (held_)
+    for (std::size_t i = 0; i < held_->down.size(); ++i) io.MouseDown[i] |= held_->down[i];
+  if (held_) io.MousePos = {held_->x, held_->y};
+  const bool moved = !held_ && ImGui::IsMousePosValid(&there) && !same(there, io.MousePosPrev);
+  held_.reset();
+  if (!moved) return;
+  for (int i = 0; i < ImGuiMouseButton_COUNT; ++i) {
+    if (!io.MouseDown[i] || io.MouseDownDuration[i] >= 0) continue;
+    if (!held_) held_ = HeldPress{there.x, there.y, {}};
+    held_->down[static_cast<std::size_t>(i)] = true;
+    io.MouseDown[i] = false;
+    touched_ = true;
+  }
+}
+
 void GlfwWindow::begin_frame() {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  hold_presses();
   // A key that came down and up since the last frame would be lost on ImGui, which knows only what is down now.
   bool* down = ImGui::GetIO().KeysDown;
   std::erase_if(tapped_, [&](int key) { return std::exchange(down[key], true); });

@@ -1,7 +1,9 @@
 // The operating system's window, its OpenGL context and ImGui's backends; input as plain lists.
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -67,8 +69,17 @@ class GlfwWindow {
 
  private:
   struct Callbacks;
+  /// Buttons that came down at a place which no frame has drawn the mouse at yet.
+  struct HeldPress {
+    float x, y;
+    std::array<bool, 5> down;
+  };
   void create(const std::string& title, WindowSize size, bool visible);
+  /// ImGui's tabs take a press only where the mouse was a frame ago. A press that comes with the motion to its place,
+  /// as it does when frames are slow, is handed on one frame later.
+  void hold_presses();
   GLFWwindow* window_ = nullptr;
+  std::optional<HeldPress> held_;
   std::vector<int> tapped_;  ///< keys that came down since the last frame
   std::vector<Key> keys_;
   std::vector<std::filesystem::path> dropped_;

@@ -26,7 +26,8 @@ struct LayoutInput {
 /// Empty rectangles are not shown.
 struct Layout {
   Rect menu, left, view, transport, inspector, drawer;
-  int transport_rows = 1;  ///< 2 where one row would be cut
+  int transport_rows = 1;   ///< 2 where one row would be cut
+  float transport_row = 0;  ///< height of the first, the buttons' [pixels]
   bool operator==(const Layout&) const = default;
 };
 

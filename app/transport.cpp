@@ -95,14 +95,14 @@ std::string rate_text(double rate) {
 
 void Workbench::draw_transport() {
   const float em = ImGui::GetFontSize();
-  const float row = layout_.transport.height / static_cast<float>(layout_.transport_rows);
+  const float row = layout_.transport_row;
   const float inset = std::floor((row - ImGui::GetFrameHeight()) / 2);
   ImGui::SetCursorPosY(inset);
   draw_transport_buttons();
   ImGui::SameLine();
   draw_playback_choices();
   if (layout_.transport_rows == 2)
-    ImGui::SetCursorPosY(row + inset);
+    ImGui::SetCursorPosY(row - inset / 2);
   else
     ImGui::SameLine(0, em);
   draw_transport_status(ImGui::GetWindowWidth() - 0.8f * em);

@@ -46,7 +46,8 @@ struct Balance {
 /// How a step changed the angular momentum [kg m^2/s], by cause (THEORY T6).
 struct AngularLedger {
   Vec3 transfer = Vec3::Zero();          ///< particles -> grid -> particles
-  Vec3 time_integration = Vec3::Zero();  ///< the step on the grid: dt sum M v^{n+1} x v^n, and contact, loads
+  Vec3 time_integration = Vec3::Zero();  ///< by the scheme alone; backward Euler: dt sum_i v_i^{n+1} x (M v^n)_i
+  Vec3 outside = Vec3::Zero();  ///< by torques about the origin: gravity, loads, walls, constraints, the mouse's spring
 };
 
 struct ErrorNorms {

@@ -52,6 +52,7 @@ std::vector<Line> angular_lines(const Curves& c, int dimension, bool split, std:
     std::vector<Line> lines{{"Angular", &c.angular[2], 0}};
     if (split) lines.push_back({"Change by transfers", &c.lost_transfer[2], 1, true});
     if (split) lines.push_back({"Change by time steps", &c.lost_time[2], 2, true});
+    if (split) lines.push_back({"Change by torques", &c.outside[2], 3, true});
     return lines;
   }
   std::vector<Line> lines;
@@ -59,6 +60,7 @@ std::vector<Line> angular_lines(const Curves& c, int dimension, bool split, std:
   const std::string of = std::string("Change of ") + axes[axis];
   if (split) lines.push_back({of + " by transfers", &c.lost_transfer[axis], 3, true});
   if (split) lines.push_back({of + " by time steps", &c.lost_time[axis], 4, true});
+  if (split) lines.push_back({of + " by torques", &c.outside[axis], 5, true});
   return lines;
 }
 
@@ -72,8 +74,8 @@ void choose(PlotMemory& m) {
   if (m.angular) {
     checkbox("split", "Split the change by cause", &m.split_loss);
     tooltip(
-        "Summed from the start of the run. Transfers: particles to grid and back. Time steps: what the step on the "
-        "grid does, with walls, loads and gravity.");
+        "Summed from the start of the run. Transfers: particles to grid and back. Time steps: what the time scheme "
+        "itself loses. Torques about the origin: gravity, loads, walls, constraints, the mouse.");
   }
 }
 

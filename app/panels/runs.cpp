@@ -34,6 +34,7 @@ void Curves::follow(const std::vector<StepReport>& reports) {
       const bool first = lost_transfer[i].empty();
       lost_transfer[i].push_back((first ? 0 : lost_transfer[i].back()) + r.angular.transfer[a]);
       lost_time[i].push_back((first ? 0 : lost_time[i].back()) + r.angular.time_integration[a]);
+      outside[i].push_back((first ? 0 : outside[i].back()) + r.angular.outside[a]);
     }
     const auto ms = phase_values(r.ms);
     for (std::size_t i = 0; i < ms.size(); ++i) phase[i].push_back(ms[i]);

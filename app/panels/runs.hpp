@@ -20,7 +20,7 @@ std::array<double, phase_count> phase_values(const PhaseTimes& ms);
 /// One value a report; angular momentum lost is summed from the start of the run.
 struct Curves {
   std::vector<double> time, kinetic, elastic, potential, total;
-  std::array<std::vector<double>, 3> momentum, angular, lost_transfer, lost_time;
+  std::array<std::vector<double>, 3> momentum, angular, lost_transfer, lost_time, outside;
   std::array<std::vector<double>, phase_count> phase;
   std::vector<double> step_ms, error;
   /// Appends the reports that are new; starts again when `reports` is another run's.

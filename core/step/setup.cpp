@@ -21,7 +21,7 @@ std::unique_ptr<Law<D>> law_of(const Material& material) {
 
 /// Of the mouse's spring, as a part of the held material's own stiffness: softer, so that a jerk moves bodies and does
 /// not tear them.
-constexpr double grab_softness = 0.05;
+constexpr double grab_softness = 0.1;
 
 std::size_t material_index(const Scene& scene, const std::string& name) {
   for (std::size_t k = 0; k < scene.materials.size(); ++k)

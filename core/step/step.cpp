@@ -149,6 +149,10 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(double dt, const std:
   const Vec3 L_before = grid_angular_momentum(plan_, Vector::Zero(grid_.u.size()), momentum);
   M.multiply(grid_.v_end, momentum);
   const Vec3 L_after = grid_angular_momentum(plan_, grid_.u, momentum);
+  // The step's forces are M (v_end - v) / dt and act at the scheme's stage, where the inner ones have no torque.
+  M.multiply(grid_.v_end - grid_.v, momentum);
+  report.angular.outside = grid_angular_momentum<D>(plan_, integrator_->stage() * grid_.u, momentum);
+  report.angular.time_integration = L_after - L_before - report.angular.outside;
   report.grab_force = spring ? spring->force(grid_.u).norm() : 0;
   lap(report.ms.diagnostics);
 
@@ -173,7 +177,6 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(double dt, const std:
   plan_.build(particles_, *find_basis(scene_.grid.basis), scene_.grid.spacing, parallel_);
   lap(report.ms.sort);
   fill_diagnostics(report);
-  report.angular.time_integration = L_after - L_before;
   report.angular.transfer =
       (L_before - accepted_.balance.angular_momentum) + (report.balance.angular_momentum - L_after);
   report.work = work_;

@@ -46,6 +46,7 @@ std::vector<StepReport> made_up_reports(int steps) {
     r.balance.angular_momentum = Vec3(0, 0, 0.8 * fade);
     r.angular.transfer = Vec3(0, 0, -0.005 * fade);
     r.angular.time_integration = Vec3(0, 0, -0.003 * fade);
+    r.angular.outside = Vec3(0, 0, 0.002 * swing);
     for (int i = 0; k > 0 && i < 4; ++i)
       r.newton.push_back({std::pow(10.0, -1.5 * i), 1 - 0.1 * i, i == 0 ? 0.5 : 1.0, 12 + 3 * i, i == 1, false});
     r.residual = k > 0 ? 3e-7 : 0;

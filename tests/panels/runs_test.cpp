@@ -32,13 +32,15 @@ TEST_CASE("angular momentum lost is summed by cause from the start of the run") 
   curves.follow({reports.begin(), reports.begin() + 4});
   curves.follow(reports);
   REQUIRE(curves.size() == 11);
-  double transfer = 0, time = 0;
+  double transfer = 0, time = 0, torque = 0;
   for (const StepReport& r : reports) {
     transfer += r.angular.transfer.z();
     time += r.angular.time_integration.z();
+    torque += r.angular.outside.z();
   }
   CHECK(curves.lost_transfer[2].back() == doctest::Approx(transfer));
   CHECK(curves.lost_time[2].back() == doctest::Approx(time));
+  CHECK(curves.outside[2].back() == doctest::Approx(torque));
   CHECK(curves.total[5] == reports[5].balance.total());
   // Another run begins: its curves must not hang on to the old ones.
   curves.follow(made_up_reports(2));

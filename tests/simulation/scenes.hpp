@@ -89,6 +89,7 @@ inline void check_equal(const StepReport& a, const StepReport& b) {
   CHECK(a.balance.angular_momentum == b.balance.angular_momentum);
   CHECK(a.angular.transfer == b.angular.transfer);
   CHECK(a.angular.time_integration == b.angular.time_integration);
+  CHECK(a.angular.outside == b.angular.outside);
   CHECK(a.error.l2 == b.error.l2);
   CHECK(a.error.max == b.error.max);
   CHECK(a.error.velocity_l2 == b.error.velocity_l2);
