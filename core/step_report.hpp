@@ -31,8 +31,10 @@ struct PhaseTimes {
 /// Work counted in particle visits by kernel, and in multiply-adds of the linear solver beside its Hessian products:
 /// deterministic, free of clock noise. Of all attempts at a step, the failed ones too.
 struct Work {
-  std::uint64_t p2g = 0, g2p = 0, energy = 0, gradient = 0, tangent = 0, hessian_product = 0, assembly = 0;
-  std::uint64_t solver_operations = 0;
+  std::uint64_t p2g = 0, g2p = 0, energy = 0, gradient = 0, tangent = 0, hessian_product = 0;
+  std::uint64_t diagonal = 0, assembly = 0;  ///< of the Hessian's diagonal blocks; of all its blocks
+  std::uint64_t solver_operations = 0;       ///< in double precision: vectors, factors
+  std::uint64_t stencil_operations = 0;      ///< in single precision: multigrid's stencil matrices
 };
 
 /// Sums over particles at the end of the step (INTERFACE, stats.csv).

@@ -325,7 +325,7 @@ void ElasticEnergy<D>::diagonal(std::vector<Mat<D>>& blocks) {
       }
     });
   });
-  work_.assembly += particles_.size();
+  work_.diagonal += particles_.size();
 }
 
 template <int D>

@@ -36,6 +36,7 @@ template <int D>
 void BlockJacobi<D>::prepare(const LinearProblem<D>& problem) {
   free_diagonal(problem, inverse_);
   invert_diagonal<D>(inverse_);
+  this->work_.operations += 2 * D * D * D * inverse_.size();
 }
 
 template <int D>
@@ -45,6 +46,7 @@ void BlockJacobi<D>::apply(const LinearProblem<D>& problem, const Vector& r, Vec
       z.segment<D>(i * D).noalias() = inverse_[static_cast<std::size_t>(i)] * r.segment<D>(i * D);
   });
   problem.set.restrict_to(problem.directions, z);
+  this->work_.operations += D * D * inverse_.size();
 }
 
 template void free_diagonal<2>(const LinearProblem<2>&, std::vector<Mat<2>>&);

@@ -22,7 +22,6 @@ class BlockJacobi final : public Preconditioner<D> {
   void prepare(const LinearProblem<D>& problem) override;
   int cost() const override { return 0; }  // two iterations, and contact wants the newest
   void apply(const LinearProblem<D>& problem, const Vector& r, Vector& z) override;
-  std::uint64_t operations() const override { return D * D * inverse_.size(); }
 
  private:
   Parallel& parallel_;

@@ -9,7 +9,7 @@ LinearResult DirectSolver<D>::solve(const LinearProblem<D>& problem, Vector& p) 
   LinearResult result;
   free_matrix(problem, H_, matrix_);
   // Sorting an entry in, and ordering the unknowns once a step, measured in multiply-adds.
-  this->operations_ += (analysed_ ? 40u : 200u) * static_cast<std::uint64_t>(matrix_.nonZeros());
+  this->work_.operations += (analysed_ ? 40u : 200u) * static_cast<std::uint64_t>(matrix_.nonZeros());
   if (!analysed_) factors_.analyzePattern(matrix_);
   analysed_ = true;
   factors_.factorize(matrix_);
@@ -17,7 +17,7 @@ LinearResult DirectSolver<D>::solve(const LinearProblem<D>& problem, Vector& p) 
   const auto& L = factors_.matrixL().nestedExpression();
   for (Eigen::Index column = 0; column < L.outerSize(); ++column) {
     const auto n = static_cast<std::uint64_t>(L.outerIndexPtr()[column + 1] - L.outerIndexPtr()[column]);
-    this->operations_ += n * n + 2 * n;
+    this->work_.operations += n * n + 2 * n;
   }
   result.iterations = 1;
   if (problem.cancel && problem.cancel->load(std::memory_order_relaxed)) {

@@ -250,6 +250,16 @@ void MultigridLevel<D>::coarsen(MultigridLevel& coarse, Parallel& parallel) cons
 }
 
 template <int D>
+std::uint64_t MultigridLevel<D>::coarsening_operations() const {
+  return with_reach(layout.reach(), [&](auto r) {
+    // A row is a child of half the children an axis, and its lines go to `parents` lines along each slower axis.
+    constexpr int R = r, lines = power(TwoScale<R>::children, D) * power(TwoScale<R>::parents, D - 1) / power(2, D);
+    return static_cast<std::uint64_t>(lines) * static_cast<std::uint64_t>(layout.rows()) *
+           static_cast<std::uint64_t>(A.row_size());
+  });
+}
+
+template <int D>
 void MultigridLevel<D>::restrict_to(MultigridLevel& coarse, Parallel& parallel) const {
   with_reach(layout.reach(), [&](auto r) {
     constexpr int R = r, C = TwoScale<R>::children, lines = power(C, D - 1);
@@ -295,6 +305,8 @@ template void MultigridLevel<2>::connect(MultigridLevel&);
 template void MultigridLevel<3>::connect(MultigridLevel&);
 template void MultigridLevel<2>::coarsen(MultigridLevel&, Parallel&) const;
 template void MultigridLevel<3>::coarsen(MultigridLevel&, Parallel&) const;
+template std::uint64_t MultigridLevel<2>::coarsening_operations() const;
+template std::uint64_t MultigridLevel<3>::coarsening_operations() const;
 template void MultigridLevel<2>::restrict_to(MultigridLevel&, Parallel&) const;
 template void MultigridLevel<3>::restrict_to(MultigridLevel&, Parallel&) const;
 template void MultigridLevel<2>::prolong_from(const MultigridLevel&, Parallel&);

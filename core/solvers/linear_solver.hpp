@@ -30,6 +30,17 @@ struct LinearResult {
   bool cancelled = false;
 };
 
+/// Multiply-adds, for Work.
+struct SolverWork {
+  std::uint64_t operations = 0;          ///< in double precision, in vectors and in factors with column indices
+  std::uint64_t stencil_operations = 0;  ///< in single precision, in stencil matrices by whole vector registers
+  SolverWork& operator+=(const SolverWork& more) {
+    operations += more.operations;
+    stencil_operations += more.stencil_operations;
+    return *this;
+  }
+};
+
 template <int D>
 class LinearSolver {
  public:
@@ -38,11 +49,11 @@ class LinearSolver {
   virtual LinearResult solve(const LinearProblem<D>& problem, Vector& p) = 0;
   /// The step's nodes have changed: forget what depends on them.
   virtual void new_step() {}
-  /// Multiply-adds since the last call, those of Hessian products and of their assembly left out.
-  std::uint64_t take_operations() { return std::exchange(operations_, 0); }
+  /// What was done since the last call, Hessian products and the assembly of particles left out.
+  SolverWork take_work() { return std::exchange(work_, {}); }
 
  protected:
-  std::uint64_t operations_ = 0;  ///< to be added to by solve()
+  SolverWork work_;  ///< to be added to by solve()
 };
 
 /// A linear solver as the menu knows it.

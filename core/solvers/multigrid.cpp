@@ -114,6 +114,8 @@ void Multigrid<D>::factorize() {
   for (Eigen::Index k = 0; k < dense.rows(); ++k)
     if (!(dense(k, k) > least)) dense(k, k) += std::max(1e-300, dense.diagonal().maxCoeff());
   coarsest_.compute(dense);
+  const auto n = static_cast<std::uint64_t>(dense.rows());
+  this->work_.operations += n * n * n / 6;
   factorized_ = coarsest_.info() == Eigen::Success;
 }
 
@@ -127,6 +129,7 @@ void Multigrid<D>::prepare(const LinearProblem<D>& problem) {
   for (std::size_t k = 0; k + 1 < count_; ++k) {
     levels_[k]->invert_diagonal(parallel_);
     levels_[k]->coarsen(*levels_[k + 1], parallel_);
+    this->work_.stencil_operations += levels_[k]->coarsening_operations();
   }
   levels_[count_ - 1]->invert_diagonal(parallel_);
   factorize();
@@ -138,6 +141,7 @@ void Multigrid<D>::solve_coarsest() {
   if (!factorized_) {
     level.smooth_from_zero(parallel_);
     level.smooth_back(parallel_);
+    this->work_.stencil_operations += level.cycle_operations();
     return;
   }
   const StencilLayout<D>& layout = level.layout;
@@ -146,6 +150,7 @@ void Multigrid<D>::solve_coarsest() {
   for (int i = 0; i < layout.rows(); ++i)
     for (std::size_t a = 0; a < D; ++a) solution_[i * D + static_cast<int>(a)] = level.b[at(i) + a];
   coarsest_.solveInPlace(solution_);
+  this->work_.operations += static_cast<std::uint64_t>(solution_.size() * solution_.size());
   for (int i = 0; i < layout.rows(); ++i)
     for (std::size_t a = 0; a < D; ++a) level.x[at(i) + a] = static_cast<float>(solution_[i * D + static_cast<int>(a)]);
 }
@@ -159,6 +164,7 @@ void Multigrid<D>::cycle(std::size_t k) {
   cycle(k + 1);
   level.prolong_from(*levels_[k + 1], parallel_);
   level.smooth_back(parallel_);
+  this->work_.stencil_operations += level.cycle_operations();
 }
 
 template <int D>

@@ -26,10 +26,17 @@ class MultigridLevel {
   /// The adjoint sweep from x.
   void smooth_back(Parallel& parallel);
 
+  /// Multiply-adds of both sweeps: each entry of the lower half serves twice in either.
+  std::uint64_t cycle_operations() const {
+    return 4 * static_cast<std::uint64_t>(layout.rows()) * static_cast<std::uint64_t>(A.row_size());
+  }
+
   /// Lays out `coarse` and how the two levels are connected.
   void connect(MultigridLevel& coarse);
   /// coarse.A = P^T A P.
   void coarsen(MultigridLevel& coarse, Parallel& parallel) const;
+  /// Multiply-adds of that, as if all rows were inner ones.
+  std::uint64_t coarsening_operations() const;
   /// coarse.b = P^T (b - A x), after smooth_from_zero().
   void restrict_to(MultigridLevel& coarse, Parallel& parallel) const;
   /// x += P coarse.x.

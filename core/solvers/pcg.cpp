@@ -24,6 +24,12 @@ void Pcg<D>::prepare(const LinearProblem<D>& problem) {
 }
 
 template <int D>
+void Pcg<D>::precondition(const LinearProblem<D>& problem) {
+  preconditioner_->apply(problem, r_, z_);
+  this->work_ += preconditioner_->take_work();
+}
+
+template <int D>
 LinearResult Pcg<D>::solve(const LinearProblem<D>& problem, Vector& p) {
   LinearResult result;
   const Eigen::Index n = problem.g.size();
@@ -32,7 +38,7 @@ LinearResult Pcg<D>::solve(const LinearProblem<D>& problem, Vector& p) {
   z_.resize(n);
   product_.resize(n);
   r_ = -problem.g;
-  preconditioner_->apply(problem, r_, z_);
+  precondition(problem);
   direction_ = z_;
   double rz = dot(parallel_, r_, z_);
   // What an approximate factorisation or a cycle makes of an indefinite Hessian need not be positive itself.
@@ -53,7 +59,7 @@ LinearResult Pcg<D>::solve(const LinearProblem<D>& problem, Vector& p) {
     problem.objective.hessian_product(direction_, product_);
     problem.set.restrict_to(problem.directions, product_);
     ++result.iterations;
-    this->operations_ += 6 * static_cast<std::uint64_t>(n) + preconditioner_->operations();
+    this->work_.operations += 6 * static_cast<std::uint64_t>(n);
     const double curvature = dot(parallel_, direction_, product_);
     if (!(curvature > 0)) return indefinite();
     const double alpha = rz / curvature;
@@ -61,7 +67,7 @@ LinearResult Pcg<D>::solve(const LinearProblem<D>& problem, Vector& p) {
       p.segment(begin, count) += alpha * direction_.segment(begin, count);
       r_.segment(begin, count) -= alpha * product_.segment(begin, count);
     });
-    preconditioner_->apply(problem, r_, z_);
+    precondition(problem);
     const double next = dot(parallel_, r_, z_);
     if (!(next >= 0)) return indefinite();
     const double beta = next / rz;

@@ -17,6 +17,8 @@ class Pcg final : public LinearSolver<D> {
  private:
   /// Makes a new preconditioner, unless the one at hand costs fewer iterations than making one would.
   void prepare(const LinearProblem<D>& problem);
+  /// z_ = B^-1 r_.
+  void precondition(const LinearProblem<D>& problem);
 
   std::string_view name_;
   std::unique_ptr<Preconditioner<D>> preconditioner_;

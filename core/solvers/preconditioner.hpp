@@ -17,10 +17,13 @@ class Preconditioner {
   virtual int cost() const = 0;
   /// z = B^-1 r; `r` and `z` lie in the free directions, and z depends linearly and symmetrically on r.
   virtual void apply(const LinearProblem<D>& problem, const Vector& r, Vector& z) = 0;
-  /// Multiply-adds of one apply(), for Work; known after prepare().
-  virtual std::uint64_t operations() const { return 0; }
+  /// What was done since the last call, the assembly of particles left out.
+  SolverWork take_work() { return std::exchange(work_, {}); }
   /// The step's nodes have changed: forget what depends on them.
   virtual void new_step() {}
+
+ protected:
+  SolverWork work_;  ///< to be added to by prepare() and apply()
 };
 
 /// That of a solver by conjugate gradients; nullptr for other solvers.

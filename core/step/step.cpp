@@ -140,7 +140,9 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(double dt, const std:
   const NewtonSettings newton{scene_.solver.newton_tolerance, scene_.solver.max_newton};
   const NewtonResult solved = integrator_->advance(
       {plan_, M, elastic, spring ? &*spring : nullptr, set, force, dt, newton, *linear_, parallel_, cancel, grid_});
-  work_.solver_operations += linear_->take_operations();
+  const SolverWork solver_work = linear_->take_work();
+  work_.solver_operations += solver_work.operations;
+  work_.stencil_operations += solver_work.stencil_operations;
   lap(report.ms.linear_solve);
   if (solved.status == NewtonStatus::cancelled) return {Attempt::cancelled, ""};
   // Angular momentum by cause: what the two transfers change, and what the step on the grid does (THEORY T6).

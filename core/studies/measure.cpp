@@ -43,8 +43,10 @@ class Meter final : public RunObserver {
     row.gradient += static_cast<double>(w.gradient);
     row.tangent += static_cast<double>(w.tangent);
     row.hessian_product += static_cast<double>(w.hessian_product);
+    row.diagonal += static_cast<double>(w.diagonal);
     row.assembly += static_cast<double>(w.assembly);
     row.solver_operations += static_cast<double>(w.solver_operations);
+    row.stencil_operations += static_cast<double>(w.stencil_operations);
   }
   StudyRow row;
   double wall = 0;

@@ -45,8 +45,10 @@ constexpr RowColumn table[] = {
     {"visits_gradient", "Visits, gradient", "", &StudyRow::gradient},
     {"visits_tangent", "Visits, tangent", "", &StudyRow::tangent},
     {"visits_hessian_product", "Visits, Hessian product", "", &StudyRow::hessian_product},
+    {"visits_diagonal", "Visits, diagonal blocks", "", &StudyRow::diagonal},
     {"visits_assembly", "Visits, assembly", "", &StudyRow::assembly},
     {"solver_operations", "Multiply-adds of the linear solver", "", &StudyRow::solver_operations},
+    {"stencil_operations", "Multiply-adds of multigrid, single precision", "", &StudyRow::stencil_operations},
 };
 
 constexpr std::string_view statuses[] = {"ok", "unstable", "failed", "timeout"};

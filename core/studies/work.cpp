@@ -17,8 +17,10 @@ constexpr KernelWeight table[] = {
     {"gradient", &StudyRow::gradient, {40, 56, 71}, {93, 129, 190}},
     {"tangent", &StudyRow::tangent, {26, 26, 26}, {150, 130, 125}},
     {"hessian_product", &StudyRow::hessian_product, {13, 18, 22}, {111, 94, 118}},
+    {"diagonal", &StudyRow::diagonal, {13, 27, 36}, {216, 311, 588}},
     {"assembly", &StudyRow::assembly, {13, 27, 36}, {216, 311, 588}},
     {"solver_operations", &StudyRow::solver_operations, {0.5, 0.5, 0.5}, {0.5, 0.5, 0.5}},
+    {"stencil_operations", &StudyRow::stencil_operations, {0.1, 0.1, 0.1}, {0.1, 0.1, 0.1}},
 };
 constexpr std::size_t unit = 5, quadratic = 1;  // a Hessian product in 2D
 
