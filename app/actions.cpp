@@ -56,6 +56,10 @@ void Workbench::set_actions() {
   context_.save_folder = setup_.pictures.empty() ? picture_folder() : setup_.pictures;
   context_.change = [this](const std::vector<Edit>& edits) { return change(edits); };
   context_.open_file = [this](const fs::path& file) { open_file(file); };
+  context_.ask_file = [this](FileDialog::Request request) {
+    file_dialog_.ask(std::move(request));
+    settle_ = 3;
+  };
   context_.ask_open = [this] { act(Action::open); };
   context_.ask_save_as = [this] { act(Action::save_as); };
   context_.save = [this] { act(Action::save); };
@@ -64,6 +68,7 @@ void Workbench::set_actions() {
   context_.fit_view = [this] { act(Action::fit); };
   context_.save_picture = [this] { act(Action::picture); };
   context_.pin = [this] { pin(); };
+  set_study_actions();
   context_.notify = [this](const std::string& text) {
     notices_.add(text);
     settle_ = 3;
@@ -118,10 +123,10 @@ void Workbench::act(Action action, int index) {
     case Action::quit:
       return settle_changes([this] { leave(); });
     case Action::undo:
-      if (auto scene = undo_.undo(context_.scene)) send_scene(std::move(*scene));
+      if (auto before = undo_.undo(document())) restore(std::move(*before));
       break;
     case Action::redo:
-      if (auto scene = undo_.redo(context_.scene)) send_scene(std::move(*scene));
+      if (auto after = undo_.redo(document())) restore(std::move(*after));
       break;
     case Action::run_pause:
       context_.status.state == RunState::running ? session_.pause() : session_.run();
@@ -181,7 +186,7 @@ bool Workbench::change(const std::vector<Edit>& edits) {
     Scene next = edited(context_.scene, edits);
     context_.problems.clear();
     if (next == context_.scene) return true;
-    undo_.push(context_.scene, edits);
+    undo_.push(document(), edits);
     send_scene(std::move(next));
     return true;
   } catch (const InputError& error) {
@@ -200,6 +205,13 @@ void Workbench::send_scene(Scene scene) {
 }
 
 void Workbench::open_scene(const Scene& scene, const fs::path& file, bool run) {
+  undo_.clear();
+  document_ = ++documents_;
+  show_scene(scene, file, run);
+  if (!file.empty() && !shipped(file)) remember_file(file);
+}
+
+void Workbench::show_scene(const Scene& scene, const fs::path& file, bool run) {
   if (view_) view_->cancel_tool(context_);
   context_.scene = scene;
   context_.scene_file = file;
@@ -209,23 +221,23 @@ void Workbench::open_scene(const Scene& scene, const fs::path& file, bool run) {
   context_.inspected.reset();
   if (const FieldInfo* info = find_field(scene.view.color_by)) context_.view.field = info->field;
   context_.view.lock_range = false;
-  undo_.clear();
   fit_next_run_ = true;
   requested_ = snapshot_request(render_options(context_, 1));
   session_.request(requested_);
   session_.open(scene, run);
   window_.set_title(scene.name.empty() ? "Pushforward" : scene.name + " – Pushforward");
-  if (!file.empty() && !shipped(file)) remember_file(file);
   settle_ = 3;
 }
 
 void Workbench::open_file(const fs::path& file) {
+  if (open_as_study(file)) return;
   settle_changes([this, file] { load_file(file); });
 }
 
 void Workbench::load_file(const fs::path& file) {
   settle_ = 3;
   try {
+    if (open_as_study(file)) return;
     open_scene(load_scene(file), file, true);
   } catch (const InputError& error) {
     context_.problems = error.problems();

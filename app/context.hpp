@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/file_dialog.hpp"
 #include "app/session.hpp"
 #include "core/scene/scene.hpp"
 #include "core/snapshot.hpp"
@@ -43,6 +44,7 @@ struct RunHistory {
 };
 
 struct PanelMemory;  // app/panels/memory.hpp
+struct StudyDesk;    // app/studies/desk.hpp
 
 struct AppContext {
   explicit AppContext(Session& of) : session(of) {}
@@ -53,7 +55,8 @@ struct AppContext {
   Scene scene;
   std::filesystem::path scene_file;  ///< empty: not saved yet
   bool unsaved = false;
-  std::filesystem::path save_folder;  ///< where pictures and plots go without asking
+  std::filesystem::path save_folder;   ///< where pictures and plots go without asking
+  std::filesystem::path study_folder;  ///< where results of studies are kept; "" keeps none
 
   ViewState view;
   std::shared_ptr<const Snapshot> snapshot;  ///< this frame's; may be null
@@ -69,12 +72,18 @@ struct AppContext {
   /// Applies edits to the scene (validated; refused ones leave it and fill `problems`), sends it to the session,
   /// records undo. True when accepted.
   std::function<bool(const std::vector<Edit>&)> change;
+  /// Replaces the scene by another state of it in one undo step, and begins the run anew where that is needed; or,
+  /// `other`, by another scene, after the user has said what becomes of unsaved changes. Shows `message` then.
+  std::function<void(const Scene&, bool other, const std::string& message)> adopt;
   std::function<void(const std::filesystem::path&)> open_file;
+  std::function<void(FileDialog::Request)> ask_file;
+  std::function<void()> wake;  ///< draw a frame soon; from any thread
   std::function<void()> ask_open, ask_save_as, save, undo, redo, fit_view, save_picture, pin;
   std::function<void(const std::string&)> notify;  ///< a short message at the window's edge
 
   /// What panels and tools remember between frames (open panel, half-typed values, gallery); made by the first one.
   std::shared_ptr<PanelMemory> memory;
+  std::shared_ptr<StudyDesk> studies;  ///< made by studies_of() (app/studies/desk.hpp)
 };
 
 /// A panel of the left column, the right inspector or the bottom drawer: one file in panels/, one line in its table.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/studies/desk.hpp"
 #include "app/theme.hpp"
 #include "app/workbench.hpp"
 #include "core/diagnostics/fields.hpp"
@@ -86,6 +87,10 @@ void Workbench::draw_run_menu() {
   menu_item(Action::step);
   menu_item(Action::reset);
   ImGui::Separator();
+  if (ImGui::MenuItem("Study this scene…")) {
+    studies_of(context_).set_up(context_);
+    show_studies();
+  }
   if (ImGui::MenuItem("Pin this run's curves", nullptr, false, !context_.current.reports.empty())) pin();
 }
 

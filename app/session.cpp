@@ -46,6 +46,10 @@ void Session::edit(const Scene& scene) {
   });
 }
 
+void Session::suspend(bool on) {
+  worker_->send(command::Suspend{on}, on);
+}
+
 void Session::set_rate(double simulated_per_wall) {
   worker_->send(command::Rate{simulated_per_wall}, false);
 }

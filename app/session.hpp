@@ -33,6 +33,7 @@ struct SessionStatus {
   double achieved_rate = 0;  ///< simulated seconds per wall second, smoothed
   double step_ms = 0;        ///< smoothed wall time of a step
   bool step_in_flight = false;
+  bool suspended = false;  ///< stands still for somebody else, whatever its state
   Acknowledgement edit;
   std::string message;  ///< failure or newest warning, in the user's words
   std::string solver_choice;
@@ -64,6 +65,9 @@ class Session {
   /// The whole edited scene, checked already; coalesced to the newest, applied at the step's end where it is live,
   /// kept for the next reset where it is not. Never cancels a step.
   void edit(const Scene& scene);
+  /// Stands still until called with false, for runs that are being timed: no step is taken, what is under way is
+  /// cancelled, the state stays. SessionStatus::suspended says when it has come to that. From any thread.
+  void suspend(bool on);
   void set_rate(double simulated_per_wall);  ///< 1: real time; 0: as fast as possible
   void set_at_end(AtEnd what);
   void set_grab(const std::optional<Grab>& grab);

@@ -172,6 +172,8 @@ void Workbench::draw_transport_status(float right_edge) {
   bool notable = true;
   if (s.state == RunState::loading) {
     left = "loading…";
+  } else if (s.suspended) {
+    left += " – stands still while a study is timed";
   } else if (s.edit.applies_at_step >= 0 && s.step_in_flight) {
     left += " – change applies at step " + std::to_string(s.edit.applies_at_step);
   } else if (s.edit.needs_reset) {

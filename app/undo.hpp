@@ -2,6 +2,8 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,6 +12,13 @@
 #include "core/scene/scene.hpp"
 
 namespace pf::app {
+
+/// What an edit changes, and whose edit it is.
+struct Document {
+  Scene scene;
+  std::filesystem::path file;  ///< empty: not saved yet
+  std::uint64_t number = 0;    ///< another number, another scene
+};
 
 class UndoStack {
  public:
@@ -21,11 +30,11 @@ class UndoStack {
     last_.clear();
   }
   /// `before` is about to be changed by `edits`. Edits of one place in quick succession (a dragged slider) are
-  /// one step back.
-  void push(const Scene& before, const std::vector<Edit>& edits, Clock::time_point now = Clock::now()) {
+  /// one step back; no edits: it is replaced as a whole, a step of its own.
+  void push(const Document& before, const std::vector<Edit>& edits, Clock::time_point now = Clock::now()) {
     std::string places;
     for (const Edit& edit : edits) places += edit.pointer + "\n";
-    const bool same_gesture = !past_.empty() && places == last_ && now - when_ < gesture;
+    const bool same_gesture = !past_.empty() && !edits.empty() && places == last_ && now - when_ < gesture;
     last_ = places;
     when_ = now;
     future_.clear();
@@ -35,24 +44,24 @@ class UndoStack {
   }
   bool can_undo() const { return !past_.empty(); }
   bool can_redo() const { return !future_.empty(); }
-  /// The scene before the newest edit, or nothing. `now` becomes what redo() gives back.
-  std::optional<Scene> undo(const Scene& now) { return move(past_, future_, now); }
-  std::optional<Scene> redo(const Scene& now) { return move(future_, past_, now); }
+  /// What was before the newest edit, or nothing. `now` becomes what redo() gives back.
+  std::optional<Document> undo(const Document& now) { return move(past_, future_, now); }
+  std::optional<Document> redo(const Document& now) { return move(future_, past_, now); }
 
  private:
   static constexpr std::chrono::milliseconds gesture{700};
   static constexpr std::size_t most = 200;
 
-  std::optional<Scene> move(std::vector<Scene>& from, std::vector<Scene>& to, const Scene& now) {
+  std::optional<Document> move(std::vector<Document>& from, std::vector<Document>& to, const Document& now) {
     last_.clear();
     if (from.empty()) return std::nullopt;
     to.push_back(now);
-    Scene scene = std::move(from.back());
+    Document before = std::move(from.back());
     from.pop_back();
-    return scene;
+    return before;
   }
 
-  std::vector<Scene> past_, future_;
+  std::vector<Document> past_, future_;
   std::string last_;
   Clock::time_point when_{};
 };

@@ -40,7 +40,7 @@ void part(const char* name, const Rect& where, ImVec2 padding, int flags, const 
 bool same_news(const SessionStatus& a, const SessionStatus& b) {
   return a.state == b.state && a.run == b.run && a.step == b.step && a.step_in_flight == b.step_in_flight &&
          a.edit.edit == b.edit.edit && a.edit.applies_at_step == b.edit.applies_at_step &&
-         a.edit.needs_reset == b.edit.needs_reset && a.message == b.message;
+         a.edit.needs_reset == b.edit.needs_reset && a.suspended == b.suspended && a.message == b.message;
 }
 
 WindowSize remembered_size(const Preferences& p) {
@@ -132,6 +132,7 @@ bool Workbench::turn(double longest) {
   const bool changed = (news && !same_news(before, context_.status)) || seen != context_.snapshot;
   const bool refine = view_ && view_->refines_in() == 0.0;
   const bool timed = notices_.expire() || ImGui::GetIO().WantTextInput || refine;
+  if (study_news_.exchange(false)) follow_studies();
   news_to_show_ |= changed || !same_news(before, context_.status);
   if (timed || (news_to_show_ && Clock::now() >= rest_until_)) settle_ = std::max(settle_, 1);
   if (settle_ > 0 && !leaving_) {

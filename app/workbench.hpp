@@ -18,6 +18,7 @@
 #include "app/notices.hpp"
 #include "app/preferences.hpp"
 #include "app/session.hpp"
+#include "app/studies/library.hpp"
 #include "app/undo.hpp"
 
 namespace pf::app {
@@ -31,7 +32,8 @@ class Workbench {
     AtEnd at_end = AtEnd::pause;
     bool remember = true;  ///< write preferences and recent files
     PreferenceFolders folders = default_folders();
-    std::filesystem::path pictures;  ///< where F12 saves; empty: the user's folder of pictures
+    std::filesystem::path pictures;                          ///< where F12 saves; empty: the user's folder of pictures
+    std::filesystem::path studies = default_study_folder();  ///< results of studies
   };
 
   /// Opens the window; throws DisplayError when that cannot be done.
@@ -81,6 +83,7 @@ class Workbench {
   // actions.cpp
   void set_actions();
   bool change(const std::vector<Edit>& edits);
+  void show_scene(const Scene& scene, const std::filesystem::path& file, bool run);
   void send_scene(Scene scene);
   void open_file(const std::filesystem::path& file);
   void load_file(const std::filesystem::path& file);
@@ -101,6 +104,16 @@ class Workbench {
   void report_trouble(const std::string& source, const std::string& what);
   std::string file_label() const;
   bool shipped(const std::filesystem::path& file) const;
+
+  // study_actions.cpp
+  void set_study_actions();
+  void follow_studies();
+  bool open_as_study(const std::filesystem::path& file);
+  void show_studies();
+  Document document() const { return {context_.scene, context_.scene_file, document_}; }
+  /// To what an undo or redo gave back.
+  void restore(Document to);
+  void adopt(const Scene& next, bool other, const std::string& message);
 
   // menus.cpp, transport.cpp, dialogs.cpp
   void draw_menus();
@@ -124,9 +137,11 @@ class Workbench {
   Preferences preferences_;
   Setup setup_;
   std::atomic<bool> news_{false};  ///< from the worker
-  Session session_;                // after window_: its worker wakes the window until it is joined
+  std::atomic<bool> study_news_{false};
+  Session session_;  // after window_: its worker wakes the window until it is joined
   AppContext context_;
   UndoStack undo_;
+  std::uint64_t document_ = 0, documents_ = 0;  ///< the number of the one shown; numbers given
   std::unique_ptr<GlView> view_;
   FileDialog file_dialog_;
   Notices notices_;

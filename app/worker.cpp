@@ -97,15 +97,15 @@ bool Session::Worker::take(std::vector<command::Any>& into, std::optional<Clock:
 std::optional<Session::Worker::Clock::time_point> Session::Worker::next_moment() {
   const auto now = Clock::now();
   if (single_steps_ > 0) return now;
-  if (state_ != RunState::running) return std::nullopt;
+  if (!stepping()) return std::nullopt;
   const auto due = pacer_.due(simulation_->time(), now);
   return stale_ ? std::min(due, published_ + frame_time) : due;
 }
 
 void Session::Worker::advance() {
   const auto now = Clock::now();
-  if (stale_ && (state_ != RunState::running || now >= published_ + frame_time)) publish();
-  if (single_steps_ > 0 || (state_ == RunState::running && now >= pacer_.due(simulation_->time(), now))) take_step();
+  if (stale_ && (!stepping() || now >= published_ + frame_time)) publish();
+  if (single_steps_ > 0 || (stepping() && now >= pacer_.due(simulation_->time(), now))) take_step();
 }
 
 void Session::Worker::take_step() {
@@ -195,6 +195,7 @@ void Session::Worker::build(const Scene& scene, bool run, bool announce) {
     const std::lock_guard lock(mutex);
     SessionStatus fresh;
     fresh.state = state_;
+    fresh.suspended = suspended_;
     fresh.run = status.run + 1;
     fresh.edit = status.edit;
     fresh.edit.needs_reset = false;
@@ -264,7 +265,7 @@ void Session::Worker::handle(const command::Pause&) {
 }
 
 void Session::Worker::handle(const command::StepOnce&) {
-  if (!simulation_ || state_ == RunState::loading || state_ == RunState::finished) return;
+  if (!simulation_ || state_ == RunState::loading || state_ == RunState::finished || suspended_) return;
   set_state(RunState::paused);
   ++single_steps_;
 }
@@ -313,6 +314,18 @@ bool Session::Worker::try_apply(const std::vector<Edit>& changes) {
   } catch (const InputError&) {
     return false;  // does not fit what the run's own events made of the scene
   }
+}
+
+void Session::Worker::handle(const command::Suspend& suspend) {
+  suspended_ = suspend.on;
+  single_steps_ = 0;
+  restart_pacing();
+  {
+    const std::lock_guard lock(mutex);
+    status.suspended = suspend.on;
+    status.achieved_rate = 0;
+  }
+  call_window();
 }
 
 void Session::Worker::handle(const command::Rate& rate) {

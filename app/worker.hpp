@@ -28,6 +28,9 @@ struct EditTo {
   Scene scene;
   std::uint64_t number;
 };
+struct Suspend {
+  bool on;
+};
 struct Rate {
   double value;
 };
@@ -43,7 +46,7 @@ struct Look {
 struct Ask {
   std::uint32_t id;
 };
-using Any = std::variant<Open, Run, Pause, StepOnce, Reset, EditTo, Rate, End, Hold, Look, Ask>;
+using Any = std::variant<Open, Run, Pause, StepOnce, Reset, EditTo, Suspend, Rate, End, Hold, Look, Ask>;
 }  // namespace command
 
 struct Session::Worker {
@@ -89,6 +92,7 @@ struct Session::Worker {
   void fail(const std::string& why);
   /// `announce`: show that something is loading; not where one run follows another.
   void build(const Scene& scene, bool run, bool announce = true);
+  bool stepping() const { return state_ == RunState::running && !suspended_; }
   void restart_pacing() { pacer_.start(simulation_ ? simulation_->time() : 0, Clock::now()); }
   void set_state(RunState state);
   /// Captures and hands over the newest state, and wakes the window.
@@ -102,6 +106,7 @@ struct Session::Worker {
   void handle(const command::StepOnce&);
   void handle(const command::Reset&);
   void handle(const command::EditTo& edit);
+  void handle(const command::Suspend& suspend);
   void handle(const command::Rate& rate);
   void handle(const command::End& end);
   void handle(const command::Hold& hold);
@@ -119,6 +124,7 @@ struct Session::Worker {
   Scene built_, edited_;
   bool refused_ = false;  ///< a live edit could not be applied to this run: it waits for the reset
   RunState state_ = RunState::loading;
+  bool suspended_ = false;
   AtEnd at_end_ = AtEnd::pause;
   Pacer pacer_;
   double rate_ = 1;

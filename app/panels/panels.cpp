@@ -32,6 +32,7 @@ const std::vector<Panel>& panels() {
       {"Momentum", Dock::bottom, always, draw_momentum_plot},
       {"Convergence", Dock::bottom, solves, draw_convergence_plot},
       {"Time by phase", Dock::bottom, always, draw_phases_plot},
+      {"Studies", Dock::bottom, always, draw_studies_panel},
   };
   return table;
 }

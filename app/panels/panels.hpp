@@ -18,5 +18,6 @@ void draw_energy_plot(AppContext& context);
 void draw_momentum_plot(AppContext& context);
 void draw_convergence_plot(AppContext& context);
 void draw_phases_plot(AppContext& context);
+void draw_studies_panel(AppContext& context);
 
 }  // namespace pf::app

@@ -101,6 +101,9 @@ struct ChartHit {
 /// Nothing within `radius` pixels, or `at` outside the plot: nullopt.
 std::optional<ChartHit> hit_test(const Chart& chart, const ChartLayout& layout, Point2 at, float radius = 12);
 
+/// The topmost cell under a pixel of the plot.
+std::optional<std::size_t> cell_at(const Chart& chart, const ChartLayout& layout, Point2 at);
+
 /// Scale the view by `factor` (< 1 zooms in) about the pixel `at`, on the axes asked for; spans stay representable.
 void zoom(Chart& chart, const ChartLayout& layout, Point2 at, double factor, bool along_x = true, bool along_y = true);
 /// Move the view with the mouse by pixels.

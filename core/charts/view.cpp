@@ -43,6 +43,16 @@ std::optional<ChartHit> hit_test(const Chart& chart, const ChartLayout& layout, 
   return hit;
 }
 
+std::optional<std::size_t> cell_at(const Chart& chart, const ChartLayout& layout, Point2 at) {
+  if (!layout.plot.contains(at)) return std::nullopt;
+  const double x = layout.x.map.value(at.x), y = layout.y.map.value(at.y);
+  for (std::size_t k = chart.cells.size(); k-- > 0;) {
+    const Cell& cell = chart.cells[k];
+    if (x >= cell.x_min && x <= cell.x_max && y >= cell.y_min && y <= cell.y_max) return k;
+  }
+  return std::nullopt;
+}
+
 void zoom(Chart& chart, const ChartLayout& layout, Point2 at, double factor, bool along_x, bool along_y) {
   if (!(factor > 0)) return;
   const auto about = [&](Axis& axis, const AxisMap& map, double centre) {

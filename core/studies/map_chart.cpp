@@ -231,6 +231,10 @@ std::vector<StudyFigure> map_figures(const Study& study, std::span<const StudyRo
   for (const Panel& panel : panels) {
     const std::string label = panel_label(study, panel, axes);
     StudyFigure& figure = figures.emplace_back();
+    figure.x_axis = axes.x;
+    figure.y_axis = axes.y;
+    figure.others = panel.others;
+    figure.label = label;
     figure.name = panels.size() == 1 || figures.size() == 1 ? "chart" : file_name(label);
     Chart& chart = figure.chart;
     chart.title = study.name + (label.empty() ? "" : ": " + label);

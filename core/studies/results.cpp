@@ -7,6 +7,7 @@
 #include "core/build_info.hpp"
 #include "core/output/summary.hpp"
 #include "core/scene/scene_io.hpp"
+#include "core/studies/cheapest.hpp"
 #include "core/studies/work.hpp"
 
 namespace pf {
@@ -88,14 +89,10 @@ Cost cost_of(const Study& study, const StudyRow& row) {
 }
 
 ordered_json best_document(const Study& study, std::span<const StudyRow> rows) {
-  std::vector<const StudyRow*> good;
-  for (const StudyRow& row : rows)
-    if (row.status == RowStatus::ok && row.error_l2 > 0 && cost_of(study, row).value > 0) good.push_back(&row);
   ordered_json text{{"format", "pushforward/study-best"}, {"cost", study.cost}, {"best", ordered_json::array()}};
-  if (good.empty()) return text;
-  const auto by_error = [](const StudyRow* a, const StudyRow* b) { return a->error_l2 < b->error_l2; };
-  const double most = (*std::max_element(good.begin(), good.end(), by_error))->error_l2;
-  const double least = (*std::min_element(good.begin(), good.end(), by_error))->error_l2;
+  const auto range = error_range(study, rows);
+  if (!range) return text;
+  const auto [least, most] = *range;
   const std::vector<std::string> columns = varied_columns(study);
   const auto setting = [&](const StudyRow& row) {
     ordered_json object = ordered_json::object();
@@ -106,19 +103,14 @@ ordered_json best_document(const Study& study, std::span<const StudyRow> rows) {
   };
   for (int decade = static_cast<int>(std::ceil(std::log10(most))); std::pow(10, decade) >= least; --decade) {
     const double tolerance = std::pow(10, decade);
-    const StudyRow* best = nullptr;
-    for (const StudyRow* row : good)
-      if (row->error_l2 <= tolerance && (best == nullptr || cost_of(study, *row).value < cost_of(study, *best).value))
-        best = row;
-    if (best == nullptr) break;
+    const std::optional<Cheapest> found = cheapest(study, rows, tolerance);
+    if (!found) break;
     ordered_json entry{{"tolerance", tolerance},
-                       {"setting", setting(*best)},
-                       {"error_l2", best->error_l2},
-                       {"cost", cost_of(study, *best).value},
+                       {"setting", setting(*found->best)},
+                       {"error_l2", found->best->error_l2},
+                       {"cost", cost_of(study, *found->best).value},
                        {"ties", ordered_json::array()}};
-    for (const StudyRow* row : good)
-      if (row != best && row->error_l2 <= tolerance && cost_of(study, *row).low <= cost_of(study, *best).high)
-        entry["ties"].push_back(setting(*row));
+    for (const StudyRow* row : found->ties) entry["ties"].push_back(setting(*row));
     text["best"].push_back(entry);
   }
   return text;

@@ -4,6 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -88,6 +89,8 @@ struct StudyPoint {
 std::size_t study_size(const Study& study);
 /// The k-th, the last axis running fastest.
 StudyPoint study_point(const Study& study, std::size_t k);
+/// The k of the setting with these indices of values, one an axis.
+std::size_t study_index(const Study& study, std::span<const std::size_t> at);
 /// The scene of a setting. Throws InputError where the settings do not go together.
 Scene study_scene(const Study& study, const StudyPoint& point);
 /// The scene of the fine run that a study is measured against.

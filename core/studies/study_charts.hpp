@@ -18,7 +18,11 @@ struct StudyFigure {
   std::string name;  ///< of its files: "chart", "chart-dt"
   Chart chart;
   std::vector<std::vector<std::size_t>> point;
-  std::vector<std::size_t> cell;  ///< of a map: the setting of each cell
+  std::vector<std::size_t> cell;       ///< of a map: the setting of each cell
+  std::size_t x_axis = 0, y_axis = 0;  ///< of a map: which of the study's axes it shows
+  std::vector<std::size_t> others;     ///< of a map: index of the value on each axis, 0 on the two that it shows
+  std::string label;                   ///< of a map: what is special to it: "Backward Euler"
+  bool is_map() const { return x_axis != y_axis; }
 };
 
 /// The charts that a study asks for, or those that suit its kind: error against cost; a map for each value of what is

@@ -280,4 +280,12 @@ Study load_study(const fs::path& file) {
   return parse_study(read_file(file), file.string(), file.parent_path());
 }
 
+std::string self_contained(std::string_view text, const Study& study) {
+  using nlohmann::ordered_json;
+  constexpr bool comments = true;
+  ordered_json document = ordered_json::parse(text, nullptr, true, comments);
+  document["scene"] = ordered_json::parse(study.scene_text, nullptr, true, comments);
+  return document.dump(2) + '\n';
+}
+
 }  // namespace pf

@@ -16,4 +16,8 @@ Study load_study(const std::filesystem::path& file);
 /// The same from text; `folder` is where the scene is looked for.
 Study parse_study(std::string_view text, const std::string& source, const std::filesystem::path& folder);
 
+/// The text of a study file with the scene inside it, whatever the scene's file becomes. `study`: what `text` was read
+/// as. Reading the result gives the same runs.
+std::string self_contained(std::string_view text, const Study& study);
+
 }  // namespace pf

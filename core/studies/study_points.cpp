@@ -45,6 +45,12 @@ StudyPoint study_point(const Study& study, std::size_t k) {
   return point;
 }
 
+std::size_t study_index(const Study& study, std::span<const std::size_t> at) {
+  std::size_t k = 0;
+  for (std::size_t a = 0; a < study.axes.size(); ++a) k = k * study.axes[a].values.size() + at[a];
+  return k;
+}
+
 Scene study_scene(const Study& study, const StudyPoint& point) {
   return parse_scene(study.scene_text, study.scene_source, point.edits);
 }
@@ -102,7 +108,9 @@ std::vector<nlohmann::json> varied_values(const Study& study, const StudyPoint& 
   return values;
 }
 
-std::string program_identity() {
+namespace {
+
+std::string identity_now() {
   const BuildInfo build = build_info();
   std::string text = std::string(build.version) + ' ' + std::string(build.commit) + ' ' + std::string(build.compiler) +
                      ' ' + std::string(build.flags);
@@ -112,6 +120,13 @@ std::string program_identity() {
     // Not this system's way of telling; version and commit must do.
   }
   return content_hash(text);
+}
+
+}  // namespace
+
+std::string program_identity() {
+  static const std::string identity = identity_now();  // asked for at every row; the executable is large
+  return identity;
 }
 
 std::string study_identity(const Study& study) {

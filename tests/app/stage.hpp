@@ -29,16 +29,18 @@ struct Stage {
   const fs::path& folder = scratch.path();
   std::unique_ptr<Workbench> bench;
 
-  explicit Stage(const Scene& scene, bool visible = false, float ui_scale = 1) {
+  explicit Stage(const Scene& scene, bool visible = false, float ui_scale = 1, bool drawer_open = false) {
     fs::create_directories(folder / "pictures");
     Workbench::Setup setup;
     setup.visible = visible;
     setup.run = false;
     setup.folders = {folder / "config", folder / "state"};
     setup.pictures = folder / "pictures";
-    if (ui_scale != 1) {
+    setup.studies = folder / "studies";
+    if (ui_scale != 1 || drawer_open) {
       Preferences p;
       p.ui_scale = ui_scale;
+      p.drawer_open = drawer_open;
       save_preferences(p, setup.folders);
     }
     bench = std::make_unique<Workbench>(scene, fs::path(), setup);

@@ -97,6 +97,33 @@ TEST_CASE("a step of 5 s: an edit is acknowledged at once and never cancels it")
   CHECK(stage.control.steps_cancelled == 0);
 }
 
+TEST_CASE("a suspended session takes no step whatever it is told, and goes on where it was") {
+  Stage stage;
+  stage.open(scene_of(0.01, 100), true);
+  REQUIRE(stage.until([](const SessionStatus& s) { return s.step > 0; }));
+  stage.control.step_seconds = 5;
+  REQUIRE(stage.until([](const SessionStatus& s) { return s.step_in_flight; }));
+  CHECK(seconds_of([&] { stage.session.suspend(true); }) < frame);
+  REQUIRE(stage.until([](const SessionStatus& s) { return s.suspended; }));
+  const long step = stage.session.status().step, begun = stage.control.steps_begun;
+  CHECK_FALSE(stage.session.status().step_in_flight);
+  CHECK(stage.session.status().state == RunState::running);
+  stage.control.step_seconds = 0;
+  stage.session.pause();
+  stage.session.step_once();
+  stage.session.run();
+  stage.session.edit(scene_of(0.02, 100));
+  std::this_thread::sleep_for(50ms);
+  CHECK(stage.control.steps_begun == begun);
+  stage.session.open(scene_of(0.01, 100), true);  // built and shown, not run
+  REQUIRE(stage.until([](const SessionStatus& s) { return s.run == 2 && s.state == RunState::running; }));
+  std::this_thread::sleep_for(50ms);
+  CHECK(stage.session.status().suspended);
+  CHECK(stage.session.status().step == 0);
+  stage.session.suspend(false);
+  CHECK(stage.until([&](const SessionStatus& s) { return !s.suspended && s.step > step; }));
+}
+
 TEST_CASE("another scene is shown while a long step runs") {
   Stage stage;
   stage.open(scene_of(0.01, 1), false);
