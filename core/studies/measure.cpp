@@ -9,7 +9,7 @@
 #include "core/studies/local_fit.hpp"
 #include "core/studies/sampling_times.hpp"
 #include "core/studies/watchdog.hpp"
-#include "core/studies/work.hpp"
+#include "core/work_weights.hpp"
 
 namespace pf {
 
@@ -37,18 +37,22 @@ class Meter final : public RunObserver {
     row.linear_iterations += report.linear_iterations;
     row.retries += report.retries;
     const Work& w = report.work;
-    row.p2g += static_cast<double>(w.p2g);
-    row.g2p += static_cast<double>(w.g2p);
-    row.energy += static_cast<double>(w.energy);
-    row.gradient += static_cast<double>(w.gradient);
-    row.tangent += static_cast<double>(w.tangent);
-    row.hessian_product += static_cast<double>(w.hessian_product);
-    row.diagonal += static_cast<double>(w.diagonal);
-    row.assembly += static_cast<double>(w.assembly);
-    row.solver_operations += static_cast<double>(w.solver_operations);
-    row.stencil_operations += static_cast<double>(w.stencil_operations);
+    work.p2g += w.p2g, work.g2p += w.g2p, work.energy += w.energy, work.gradient += w.gradient;
+    work.tangent += w.tangent, work.hessian_product += w.hessian_product, work.diagonal += w.diagonal;
+    work.assembly += w.assembly, work.solver_operations += w.solver_operations;
+    work.stencil_operations += w.stencil_operations;
+  }
+  /// What was counted, as columns.
+  void fill(StudyRow& to, int dimension, int nodes_per_axis) const {
+    const auto number = [](std::uint64_t n) { return static_cast<double>(n); };
+    to.p2g = number(work.p2g), to.g2p = number(work.g2p), to.energy = number(work.energy);
+    to.gradient = number(work.gradient), to.tangent = number(work.tangent), to.assembly = number(work.assembly);
+    to.hessian_product = number(work.hessian_product), to.diagonal = number(work.diagonal);
+    to.solver_operations = number(work.solver_operations), to.stencil_operations = number(work.stencil_operations);
+    to.work = weighted_work(work, dimension, nodes_per_axis);
   }
   StudyRow row;
+  Work work;
   double wall = 0;
 
  private:
@@ -319,7 +323,7 @@ StudyRow measure_run(const Scene& scene, const Reference* reference, const Measu
     row.dx = scene.grid.spacing;
     row.particles = static_cast<double>(simulation->particle_count());
     const BasisInfo* basis = find_basis(scene.grid.basis);
-    row.work = weighted_work(row, scene.dimension, basis != nullptr ? basis->nodes_per_axis : 3);
+    meter.fill(row, scene.dimension, basis != nullptr ? basis->nodes_per_axis : 3);
     examiner.fill(row);
     judge_end(result, watchdog, examiner, settings, row);
     std::vector<double> walls{meter.wall};

@@ -8,7 +8,7 @@
 #include "core/output/summary.hpp"
 #include "core/scene/scene_io.hpp"
 #include "core/studies/cheapest.hpp"
-#include "core/studies/work.hpp"
+#include "core/work_weights.hpp"
 
 namespace pf {
 

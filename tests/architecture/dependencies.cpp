@@ -48,7 +48,7 @@ const std::map<std::string, Folders> core_rule{
 };
 // Plain types at the top of core that every folder may include.
 const Folders plain_headers{"core/types.hpp", "core/step_report.hpp", "core/build_info.hpp", "core/snapshot.hpp",
-                            "core/files.hpp", "core/hash.hpp",        "core/assets.hpp"};
+                            "core/files.hpp", "core/hash.hpp",        "core/assets.hpp",     "core/work_weights.hpp"};
 
 std::vector<fs::path> sources(const std::string& folder) {
   std::vector<fs::path> files;

@@ -1,4 +1,4 @@
-#include "core/studies/work.hpp"
+#include "core/work_weights.hpp"
 
 #include <algorithm>
 
@@ -12,16 +12,16 @@ namespace {
 // when its coarse matrices are taken off. A multiply-add of a sparse factorisation is not in the bench: it was fitted
 // to runs with the direct solver.
 constexpr KernelWeight table[] = {
-    {"p2g", &StudyRow::p2g, {53, 64, 83}, {158, 287, 269}},
-    {"g2p", &StudyRow::g2p, {11, 13, 29}, {35, 60, 77}},
-    {"energy", &StudyRow::energy, {13, 15, 22}, {38, 45, 58}},
-    {"gradient", &StudyRow::gradient, {31, 43, 73}, {83, 123, 223}},
-    {"tangent", &StudyRow::tangent, {21, 24, 27}, {147, 129, 145}},
-    {"hessian_product", &StudyRow::hessian_product, {8, 15, 22}, {55, 76, 121}},
-    {"diagonal", &StudyRow::diagonal, {9, 16, 24}, {78, 122, 190}},
-    {"assembly", &StudyRow::assembly, {90, 170, 340}, {340, 890, 3000}},
-    {"solver_operations", &StudyRow::solver_operations, {0.6, 0.6, 0.6}, {0.6, 0.6, 0.6}},
-    {"stencil_operations", &StudyRow::stencil_operations, {0.5, 0.26, 0.22}, {0.23, 0.22, 0.25}},
+    {"p2g", &Work::p2g, {53, 64, 83}, {158, 287, 269}},
+    {"g2p", &Work::g2p, {11, 13, 29}, {35, 60, 77}},
+    {"energy", &Work::energy, {13, 15, 22}, {38, 45, 58}},
+    {"gradient", &Work::gradient, {31, 43, 73}, {83, 123, 223}},
+    {"tangent", &Work::tangent, {21, 24, 27}, {147, 129, 145}},
+    {"hessian_product", &Work::hessian_product, {8, 15, 22}, {55, 76, 121}},
+    {"diagonal", &Work::diagonal, {9, 16, 24}, {78, 122, 190}},
+    {"assembly", &Work::assembly, {90, 170, 340}, {340, 890, 3000}},
+    {"solver_operations", &Work::solver_operations, {0.6, 0.6, 0.6}, {0.6, 0.6, 0.6}},
+    {"stencil_operations", &Work::stencil_operations, {0.5, 0.26, 0.22}, {0.23, 0.22, 0.25}},
 };
 constexpr std::size_t unit = 5, quadratic = 1;  // a Hessian product in 2D
 
@@ -39,11 +39,11 @@ std::string_view kernel_weights_note() {
          "2D quadratic Hessian product";
 }
 
-double weighted_work(const StudyRow& row, int dimension, int nodes_per_axis) {
+double weighted_work(const Work& work, int dimension, int nodes_per_axis) {
   const auto basis = static_cast<std::size_t>(std::clamp(nodes_per_axis - 2, 0, 2));
   double sum = 0;
   for (const KernelWeight& weight : table)
-    sum += row.*weight.visits * (dimension == 2 ? weight.two : weight.three)[basis];
+    sum += static_cast<double>(work.*weight.visits) * (dimension == 2 ? weight.two : weight.three)[basis];
   return sum / table[unit].two[quadratic];
 }
 
