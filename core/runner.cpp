@@ -83,7 +83,11 @@ RunResult Runner::finish(RunEnd end, const StepReport& last_attempt) {
 
 RunResult Runner::run(const RunLimits& limits, const std::atomic<bool>* cancel) {
   show_state();
+  auto landing = limits.landings.begin();
+  const double whole = simulation_.scene().time.end;
   for (long taken = 0; !limits.steps || taken < *limits.steps; ++taken) {
+    while (landing != limits.landings.end() && simulation_.time() >= *landing) ++landing;
+    if (!limits.landings.empty()) simulation_.set_end(landing == limits.landings.end() ? whole : *landing);
     if (cancel != nullptr && cancel->load()) return finish(RunEnd::interrupted, simulation_.report());
     events_.apply_due(simulation_);
     cursor_.events = events_.applied();

@@ -73,6 +73,8 @@ long next_frame(const TimeSettings& settings, double time, long k);
 
 struct RunLimits {
   std::optional<long> steps;  ///< stop after this many more accepted steps
+  /// Times before the end on which a step shall end, too, in order: where a study looks at adaptive runs.
+  std::vector<double> landings = {};
 };
 
 class Runner {

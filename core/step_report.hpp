@@ -57,6 +57,37 @@ struct ErrorNorms {
   double l2 = 0, max = 0, velocity_l2 = 0, F_l2 = 0;
 };
 
+/// What decided the length of a step.
+enum class StepLimit : std::uint8_t {
+  fixed,      ///< time.step
+  tolerance,  ///< the estimated error
+  stability,  ///< an explicit step may not be longer
+  newton,     ///< longer ones would take Newton's method too many iterations
+  crossing,   ///< no particle shall cross more than a cell
+  largest,    ///< the longest that the scene allows
+  growth,     ///< it was short, and grows step by step
+  landing,    ///< shortened, or stretched by a tenth, to end where the run does
+  failure,    ///< a longer one did not work out
+};
+/// "tolerance", "stability", ...: as it stands in stats.csv.
+constexpr const char* name_of(StepLimit limit) {
+  constexpr const char* names[] = {"fixed",   "tolerance", "stability", "newton", "crossing",
+                                   "largest", "growth",    "landing",   "failure"};
+  return names[static_cast<std::size_t>(limit)];
+}
+
+/// What step control chose and why. Costs are counted work (core/work_weights.hpp) a second of simulated time.
+struct ControlReport {
+  bool adaptive = false;  ///< without, nothing below is filled in
+  bool implicit = true;
+  StepLimit limited_by = StepLimit::fixed;
+  double error_rate = 0;      ///< estimated relative displacement error a unit of time [1/s]
+  double explicit_limit = 0;  ///< the longest stable explicit step [s]; 0: not known
+  double implicit_cost = 0;   ///< of implicit steps as long as the tolerance lets them be; 0: not known
+  double explicit_cost = 0;   ///< of explicit steps; 0: not considered
+  int given_up = 0;           ///< attempts at this step whose error was too large
+};
+
 struct StepReport {
   StepStatus status = StepStatus::accepted;
   long step = 0;    ///< index of the state that the report describes; 0 is the initial state
@@ -70,7 +101,8 @@ struct StepReport {
   ErrorNorms error;
   double min_J = 1, max_J = 1;
   int active_nodes = 0;
-  double cfl = 0;         ///< max |v_p| dt / dx
+  double cfl = 0;  ///< max |v_p| dt / dx
+  ControlReport control;
   int retries = 0;        ///< how often the step was begun again with a smaller dt
   double grab_force = 0;  ///< magnitude of the mouse spring's force [N]
   PhaseTimes ms;

@@ -6,6 +6,7 @@
 #include "core/energies/external.hpp"
 #include "core/energies/inertia.hpp"
 #include "core/integrators/potential.hpp"
+#include "core/integrators/step_error.hpp"
 
 namespace pf {
 
@@ -102,6 +103,8 @@ NewtonResult BackwardEuler<D>::advance(const StepProblem<D>& problem) {
     result = std::move(again);
   }
   problem.grid.v_end = u / problem.dt;
+  if (problem.error_rate && result.status == NewtonStatus::converged)
+    *problem.error_rate = step_error_rate(potential, problem, result.iterations.size() > 1);
   return result;
 }
 

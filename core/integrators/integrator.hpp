@@ -29,7 +29,9 @@ struct StepProblem {
   LinearSolver<D>& linear;
   Parallel& parallel;
   const std::atomic<bool>* cancel;
-  GridState<D>& grid;  ///< in: mass, v; out: u, v_end
+  GridState<D>& grid;            ///< in: mass, v; out: u, v_end
+  double kick = 0;               ///< explicit: how long forces change the velocities [s] (StepChoice); 0: dt
+  double* error_rate = nullptr;  ///< out, where it is wanted: the local error in position, rms over mass, over dt [m/s]
 };
 
 template <int D>

@@ -43,7 +43,8 @@ NewtonResult SymplecticEuler<D>::advance(const StepProblem<D>& problem) {
     for (Eigen::Index i = 0; i < grid.mass.size(); ++i)
       if (grid.mass[i] > rounding) a.segment<D>(i * D) = -g.segment<D>(i * D) / grid.mass[i];
   }
-  u = problem.dt * (grid.v + problem.dt * a);
+  const double kick = problem.kick > 0 ? problem.kick : problem.dt;
+  u = problem.dt * (grid.v + kick * a);
   const Vector before = u;
   problem.set.project(u);
   rub(problem.set, before, u);

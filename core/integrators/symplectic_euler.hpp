@@ -1,5 +1,6 @@
 // Symplectic (explicit) Euler: v^{n+1} = v^n + dt M^-1 f(x^n), x^ = x + dt v^{n+1}. Cheap and without damping, stable
-// only below a dt of about dx/c.
+// only below a dt of about dx/c. With a kick of its own (half of the step before and half of this one) its velocities
+// stand half a step before its places: leapfrog, of second order.
 #pragma once
 
 #include "core/integrators/integrator.hpp"

@@ -91,13 +91,16 @@ const Group groups[] = {{"momentum", {"momentum_x", "momentum_y", "momentum_z"}}
                         {"angular_momentum", {"angular_momentum_x", "angular_momentum_y", "angular_momentum_z"}}};
 const std::set<std::string> energies{"kinetic_energy", "elastic_energy", "potential_energy", "total_energy"};
 /// How a result was reached and how good it is, not what it is.
-const std::set<std::string> effort{"dt",  "newton_iterations", "linear_iterations", "residual",   "active_nodes",
-                                   "cfl", "error_l2",          "error_max",         "error_F_l2", "error_velocity_l2"};
+const std::set<std::string> effort{
+    "dt",         "newton_iterations", "linear_iterations", "residual",      "active_nodes",
+    "cfl",        "error_l2",          "error_max",         "error_F_l2",    "error_velocity_l2",
+    "error_rate", "explicit_limit",    "implicit_cost",     "explicit_cost", "given_up"};
+const std::set<std::string> not_numbers{"integrator", "limited_by"};
 
 std::map<std::string, std::vector<std::string>> stats_fields(const CsvTable& table) {
   std::map<std::string, std::vector<std::string>> fields;
   for (const std::string& name : table.header) {
-    if (name == "time" || name == "step" || name == "wall_ms") continue;
+    if (name == "time" || name == "step" || name == "wall_ms" || not_numbers.contains(name)) continue;
     std::string field = name;
     for (const Group& group : groups)
       if (std::find(group.columns.begin(), group.columns.end(), name) != group.columns.end()) field = group.name;

@@ -31,17 +31,18 @@ std::string csv_field(const std::string& text) {
 
 }  // namespace
 
-std::string stats_header(int dimension, bool exact) {
+std::string stats_header(int dimension, bool exact, bool adaptive) {
   std::string header =
       "step,time,dt,newton_iterations,linear_iterations,residual,kinetic_energy,elastic_energy,potential_energy,"
       "total_energy,momentum_x,momentum_y,";
   if (dimension == 3) header += "momentum_z,angular_momentum_x,angular_momentum_y,";
   header += "angular_momentum_z,min_J,max_J,active_nodes,cfl,wall_ms";
   if (exact) header += ",error_l2,error_max,error_velocity_l2,error_F_l2";
+  if (adaptive) header += ",integrator,limited_by,error_rate,explicit_limit,implicit_cost,explicit_cost,given_up";
   return header;
 }
 
-std::string stats_row(const StepReport& report, int dimension, bool exact) {
+std::string stats_row(const StepReport& report, int dimension, bool exact, bool adaptive) {
   const Balance& balance = report.balance;
   std::string row = std::to_string(report.step);
   add(row, report.time);
@@ -61,6 +62,16 @@ std::string stats_row(const StepReport& report, int dimension, bool exact) {
   if (exact)
     for (const double value : {report.error.l2, report.error.max, report.error.velocity_l2, report.error.F_l2})
       add(row, value);
+  if (adaptive) {
+    // The initial state was not chosen, nor was a step after an event that made them fixed.
+    const ControlReport& control = report.control;
+    const bool chosen = control.adaptive && report.dt > 0;
+    row += chosen ? (control.implicit ? ",implicit," : ",explicit,") + std::string(name_of(control.limited_by)) : ",,";
+    for (const double value :
+         {control.error_rate, control.explicit_limit, control.implicit_cost, control.explicit_cost})
+      add(row, value);
+    add(row, static_cast<long>(control.given_up));
+  }
   return row;
 }
 
@@ -72,13 +83,14 @@ StatsWriter::StatsWriter(const fs::path& file, const Scene& scene, std::optional
     : file_(file, mode(kept_step)),
       dimension_(scene.dimension),
       exact_(!scene.exact_position.empty()),
+      adaptive_(scene.time.control == "adaptive"),
       kept_step_(kept_step.value_or(-1)) {
-  if (!kept_step) file_.write(stats_header(dimension_, exact_) + '\n');
+  if (!kept_step) file_.write(stats_header(dimension_, exact_, adaptive_) + '\n');
 }
 
 void StatsWriter::on_state(const Simulation& simulation) {
   if (simulation.report().step <= kept_step_) return;
-  file_.write(stats_row(simulation.report(), dimension_, exact_) + '\n');
+  file_.write(stats_row(simulation.report(), dimension_, exact_, adaptive_) + '\n');
   file_.flush();
 }
 

@@ -12,10 +12,11 @@
 namespace pf {
 
 /// First line of stats.csv, without its end. In 2D momentum_z and angular momentum about x and y are left out;
-/// errors are there where the scene has an exact motion.
-std::string stats_header(int dimension, bool exact);
+/// errors are there where the scene has an exact motion, and with adaptive steps what was chosen and why:
+/// integrator,limited_by,error_rate,explicit_limit,implicit_cost,explicit_cost,given_up (ControlReport).
+std::string stats_header(int dimension, bool exact, bool adaptive = false);
 /// One row, without its end.
-std::string stats_row(const StepReport& report, int dimension, bool exact);
+std::string stats_row(const StepReport& report, int dimension, bool exact, bool adaptive = false);
 
 /// First line of probes.csv.
 std::string probes_header(int dimension);
@@ -30,7 +31,7 @@ class StatsWriter : public RunObserver {
  private:
   OutputFile file_;
   int dimension_;
-  bool exact_;
+  bool exact_, adaptive_;
   long kept_step_;
 };
 

@@ -1,6 +1,7 @@
 #include "core/scene/choices.hpp"
 
 #include "core/bases/basis.hpp"
+#include "core/control/step_control.hpp"
 #include "core/integrators/integrator.hpp"
 #include "core/scene/shapes/shape_types.hpp"
 #include "core/solvers/linear_solver.hpp"
@@ -31,9 +32,6 @@ constexpr Choice contact_table[] = {
     {"slip", "Slip", "slides along the boundary, never leaves it"},
     {"separate", "Separate", "may leave the boundary, never enters it"},
 };
-constexpr Choice control_table[] = {
-    {"fixed", "Fixed step", "every step as long as time.step"},
-};
 
 }  // namespace
 
@@ -63,7 +61,8 @@ std::span<const Choice> contact_choices() {
   return contact_table;
 }
 std::span<const Choice> step_control_choices() {
-  return control_table;
+  static const std::vector<Choice> choices = choices_of(step_controls());
+  return choices;
 }
 std::span<const Choice> shape_choices() {
   static const std::vector<Choice> choices = [] {

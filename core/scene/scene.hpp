@@ -55,11 +55,15 @@ struct GridSettings {
   bool operator==(const GridSettings&) const = default;
 };
 
+/// Relative displacement error a unit of time where a scene with adaptive steps says none [1/s].
+inline constexpr double default_tolerance = 1e-2;
+
 struct TimeSettings {
   double end = 1;               ///< [s]
-  double step = 0.01;           ///< dt [s]
+  double step = 0.01;           ///< dt [s]; with adaptive control the longest one
   std::optional<double> frame;  ///< interval of pictures and exports [s]; absent: every step
   std::string control = "fixed";
+  std::optional<double> tolerance;  ///< of adaptive control [1/s]; absent: default_tolerance
   bool operator==(const TimeSettings&) const = default;
 };
 

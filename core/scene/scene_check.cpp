@@ -153,6 +153,9 @@ void check_scene(Reader& reader, const Scene& scene, const Json& document) {
                   "\"consistent\" } is "
                   "allowed with apic");
   }
+  // Beside "fixed" it waits to be used again; without a word on control it was forgotten.
+  if (scene.time.tolerance && !document["time"].contains("control"))
+    reader.refuse("/time/tolerance", "a tolerance without \"control\"", "\"control\": \"adaptive\" beside it");
   if (scene.time.end / scene.time.step > most_steps)
     reader.refuse("/time/step", number_text(scene.time.end / scene.time.step) + " steps until \"end\"",
                   "at most 1e9 steps");

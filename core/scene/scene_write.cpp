@@ -96,6 +96,8 @@ Json scene_document(const Scene& scene, bool defaults) {
   if (!scene.exact_position.empty()) {
     for (Json& body : document["bodies"]) body.erase("velocity");
   }
+  // A tolerance without a word on control is refused.
+  if (scene.time.tolerance) document["time"]["control"] = scene.time.control;
   return document;
 }
 

@@ -44,8 +44,8 @@ const Table& time_table() {
         .log_slider(1e-5, 0.1)
         .live()
         .help(
-            "Length dt of a step. Backward Euler stays stable at any, but damps more as it grows; halve it to see "
-            "whether a result has converged.");
+            "Length dt of a step; with adaptive control the longest one. Backward Euler stays stable at any, but damps "
+            "more as it grows; halve it to see whether a result has converged.");
     t.number(&TimeSettings::frame, "frame", "Frame interval", "s")
         .above(0)
         .at_most(1e9)
@@ -57,7 +57,18 @@ const Table& time_table() {
     t.choice(&TimeSettings::control, "control", "Step control")
         .choices(step_control_choices())
         .live()
-        .help("How the length of a step is chosen.");
+        .help(
+            "How the length of a step is chosen. Adaptive: as long as the tolerance lets it be and no longer than the "
+            "time step; symplectic Euler where that takes less counted work, else the time integrator (backward Euler "
+            "where that is symplectic Euler).");
+    t.number(&TimeSettings::tolerance, "tolerance", "Tolerance", "1/s")
+        .above(0)
+        .at_most(1e9)
+        .log_slider(1e-4, 1)
+        .live()
+        .help(
+            "With adaptive control: how far positions may drift off in a second, root mean square over the mass, as a "
+            "share of the longest side of the largest body. Absent: 0.01.");
     return t.take();
   }();
   return table;

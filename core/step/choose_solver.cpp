@@ -25,7 +25,7 @@ std::string text(const char* format, double value) {
 }  // namespace
 
 template <int D>
-double SimulationOf<D>::expected_iterations() const {
+double SimulationOf<D>::expected_iterations(double dt) const {
   double speed = 0;
   for (std::size_t k = 0; k < laws_.size(); ++k)
     speed = std::max(speed, laws_[k]->wave_speed(scene_.materials[k].density));
@@ -38,15 +38,15 @@ double SimulationOf<D>::expected_iterations() const {
     }
   long long extent = 0;
   for (std::size_t a = 0; a < D; ++a) extent = std::max(extent, high[a] - low[a]);
-  return iterations_a_cell * std::min(speed * scene_.time.step / scene_.grid.spacing, static_cast<double>(extent));
+  return iterations_a_cell * std::min(speed * dt / scene_.grid.spacing, static_cast<double>(extent));
 }
 
 template <int D>
-std::string SimulationOf<D>::automatic_solver() {
+std::string SimulationOf<D>::automatic_solver(double dt) {
   const auto solves = static_cast<int>(accepted_.newton.size()) - 1;
   const double each = solves > 0 ? static_cast<double>(accepted_.linear_iterations) / solves : 0;
   const bool counted = solves > 0 && chosen_solver_ == "pcg_jacobi";
-  const double expected = counted ? each : expected_iterations();
+  const double expected = counted ? each : expected_iterations(dt);
   const bool small = D == 2 && plan_.node_count() < most_direct_nodes;
   if (chosen_solver_ == "direct" && small) {
     choice_reason_ = text("block-Jacobi took more than %.0f iterations a solve", worth_direct);
@@ -64,10 +64,10 @@ std::string SimulationOf<D>::automatic_solver() {
 }
 
 template <int D>
-void SimulationOf<D>::choose_solver() {
+void SimulationOf<D>::choose_solver(double dt) {
   std::string name = scene_.solver.linear;
   choice_reason_.clear();
-  if (name == "auto") name = automatic_solver();
+  if (name == "auto") name = automatic_solver(dt);
   if (grab_ && name == "direct") {
     name = "pcg_jacobi";
     choice_reason_ = "the mouse's spring couples nodes beyond the direct solver's pattern";
@@ -76,11 +76,11 @@ void SimulationOf<D>::choose_solver() {
   chosen_solver_ = name;
 }
 
-template double SimulationOf<2>::expected_iterations() const;
-template double SimulationOf<3>::expected_iterations() const;
-template std::string SimulationOf<2>::automatic_solver();
-template std::string SimulationOf<3>::automatic_solver();
-template void SimulationOf<2>::choose_solver();
-template void SimulationOf<3>::choose_solver();
+template double SimulationOf<2>::expected_iterations(double) const;
+template double SimulationOf<3>::expected_iterations(double) const;
+template std::string SimulationOf<2>::automatic_solver(double);
+template std::string SimulationOf<3>::automatic_solver(double);
+template void SimulationOf<2>::choose_solver(double);
+template void SimulationOf<3>::choose_solver(double);
 
 }  // namespace pf

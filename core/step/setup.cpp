@@ -50,11 +50,12 @@ SimulationOf<D>::SimulationOf(const Scene& scene, const SimulationOptions& optio
       if ((particles_.X[p] - at).squaredNorm() < (particles_.X[nearest] - at).squaredNorm()) nearest = p;
     probe_ids_.push_back(particles_.id[nearest]);
   }
-  dt_limit_ = scene_.time.step;
+  make_control();
   build_plan_or_throw();
   const FeasibleSet<D> set = conditions_.at(plan_, 0, 0);  // refuses contradictions before the first step
   accepted_.linear_iterations = 0;
   fill_diagnostics(accepted_);
+  control_->report(accepted_.control);
   particles_to_grid(plan_, particles_, transfer_->affine(), parallel_, grid_);
   lumped_velocity(plan_, particles_, grid_);
   grid_.v_end = grid_.v;
@@ -139,10 +140,14 @@ bool SimulationOf<D>::apply(const Scene& scene) {
                        scene.transfer != scene_.transfer || scene.integrator != scene_.integrator ||
                        scene.solver != scene_.solver;
   if (scene.time.end != scene_.time.end) end_ = scene.time.end;
-  dt_limit_ = scene.time.step;
+  const bool other_control = scene.time.control != scene_.time.control;
+  // Adaptive control keeps what it knows where only loads, walls or the end have changed.
+  const bool control = scene.time.control == "fixed" || other_control || physics || basis ||
+                       scene.time.step != scene_.time.step || scene.time.tolerance != scene_.time.tolerance;
   scene_ = scene;
   if (basis) build_plan_or_throw();
-  if (physics) make_settings();
+  if (physics || other_control) make_settings();
+  if (control) make_control();
   if (was_affine && !transfer_->affine())
     for (Mat<D>& C : particles_.C) C.setZero();
   if (physics || basis)

@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "core/control/step_control.hpp"
 #include "core/energies/elastic.hpp"
 #include "core/energies/grab.hpp"
 #include "core/integrators/integrator.hpp"
@@ -46,8 +47,9 @@ class SimulationOf final : public Simulation {
  private:
   /// What an attempted step came to.
   struct Attempt {
-    enum Outcome { accepted, cancelled, failed } outcome = accepted;
-    std::string reason;  ///< of failure, for the user
+    enum Outcome { accepted, cancelled, failed, inexact } outcome = accepted;
+    std::string reason = {};  ///< of failure, for the user
+    StepChoice instead = {};  ///< of a step that was too inexact
   };
   /// The grid of the last accepted step, for pictures.
   struct LastGrid {
@@ -58,12 +60,17 @@ class SimulationOf final : public Simulation {
 
   void add_body(std::size_t index);
   void make_settings();
-  void choose_solver();
-  std::string automatic_solver();
-  double expected_iterations() const;
+  void choose_solver(double dt);
+  std::string automatic_solver(double dt);
+  double expected_iterations(double dt) const;
+  double weigh(const Work& work) const;
+  std::unique_ptr<StepControl> new_control() const;
+  void make_control();
+  Integrator<D>& integrator_of(const StepChoice& choice);
+  StepChoice first_choice();
+  void tell_control(StepOutcome outcome, StepReport& report);
   void build_plan_or_throw();
-  double next_dt() const;
-  Attempt attempt(double dt, const std::atomic<bool>* cancel, StepReport& report);
+  Attempt attempt(const StepChoice& choice, const std::atomic<bool>* cancel, StepReport& report);
   void grid_velocity(StepReport& report);
   void tell_of_blend(const MassMatrix<D>& M, StepReport& report);
   Attempt judge(const NewtonResult& newton, double dt, StepReport& report);
@@ -82,6 +89,8 @@ class SimulationOf final : public Simulation {
   Laws<D> laws_;
   std::unique_ptr<Transfer<D>> transfer_;
   std::unique_ptr<Integrator<D>> integrator_;
+  std::unique_ptr<Integrator<D>> explicit_;  ///< adaptive control's other choice
+  std::unique_ptr<StepControl> control_;
   std::unique_ptr<LinearSolver<D>> linear_;
   std::string chosen_solver_, choice_reason_;
   Conditions<D> conditions_;
@@ -99,7 +108,7 @@ class SimulationOf final : public Simulation {
   std::vector<std::uint32_t> probe_ids_;
 
   double time_ = 0, end_ = 0;
-  double dt_limit_ = 0;  ///< after a retry: at most this, doubled with each accepted step
+  double size_ = 0;  ///< of the largest body [m]
   bool told_of_blend_ = false;
   StepReport accepted_, returned_;
   Work work_;

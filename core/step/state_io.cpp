@@ -10,7 +10,7 @@ namespace pf {
 
 namespace {
 
-constexpr std::uint64_t magic = 0x3230657461745350;  // "PState02"
+constexpr std::uint64_t magic = 0x3330657461745350;  // "PState03"
 
 template <class T>
 void put(std::ostream& out, const T& value) {
@@ -93,7 +93,6 @@ void SimulationOf<D>::save_state(std::ostream& out) const {
   put(out, static_cast<std::uint64_t>(D));
   put(out, static_cast<std::uint64_t>(particles_.size()));
   put(out, time_);
-  put(out, dt_limit_);
   put(out, static_cast<std::int64_t>(accepted_.step));
   // What "auto" has counted so far decides what it does next.
   put(out, static_cast<std::int64_t>(accepted_.newton.size()));
@@ -104,6 +103,7 @@ void SimulationOf<D>::save_state(std::ostream& out) const {
   put(out, conditions_.displacement());
   put(out, loads_.surface().x);
   put(out, known_.surface().x);
+  put(out, control_->state());
 }
 
 template <int D>
@@ -115,10 +115,9 @@ void SimulationOf<D>::load_state(std::istream& in) {
   get(in, count);
   if (dimension != D || count != particles_.size()) refuse("the state of another scene");
   Particles<D> loaded;
-  double time = 0, dt_limit = 0;
+  double time = 0;
   std::int64_t step = 0, solves = 0, linear = 0, direct = 0;
   get(in, time);
-  get(in, dt_limit);
   get(in, step);
   get(in, solves);
   get(in, linear);
@@ -130,17 +129,25 @@ void SimulationOf<D>::load_state(std::istream& in) {
   get(in, displacement, conditions_.displacement().size());
   get(in, surface, loads_.surface().x.size());
   get(in, manufactured, known_.surface().x.size());
+  std::uint64_t numbers = 0;
+  get(in, numbers);
+  if (numbers > 1000000000) refuse("a state of an impossible size");
+  std::vector<double> steps;
+  read_values(in, steps, numbers);
+  std::unique_ptr<StepControl> control = new_control();
+  if (!control->set_state(steps)) refuse("a state of another step control");
   particles_ = std::move(loaded);
   rubbing_ = std::move(rubbing);
   conditions_.displacement() = std::move(displacement);
   loads_.surface().x = std::move(surface);
   known_.surface().x = std::move(manufactured);
   time_ = time;
-  dt_limit_ = dt_limit;
+  control_ = std::move(control);
   build_plan_or_throw();
   accepted_ = {};
   accepted_.step = step;
   fill_diagnostics(accepted_);
+  control_->report(accepted_.control);
   accepted_.active_nodes = plan_.node_count();
   accepted_.newton.resize(static_cast<std::size_t>(solves));
   accepted_.linear_iterations = static_cast<int>(linear);

@@ -38,15 +38,6 @@ constexpr double runaway_cells = 1000;
 }  // namespace
 
 template <int D>
-double SimulationOf<D>::next_dt() const {
-  // t_n = n step; the last one is shortened to land on the end.
-  const double step = scene_.time.step;
-  double target = (std::floor(time_ / step + 1e-9) + 1) * step;
-  target = std::min(target, end_);
-  return std::min(target - time_, dt_limit_);
-}
-
-template <int D>
 const StepReport& SimulationOf<D>::step(const std::atomic<bool>* cancel) {
   const auto begin = std::chrono::steady_clock::now();
   returned_ = {};
@@ -58,35 +49,43 @@ const StepReport& SimulationOf<D>::step(const std::atomic<bool>* cancel) {
   }
   keep_state();
   work_ = {};
-  double dt = next_dt();
-  for (int retry = 0;; ++retry) {
+  StepChoice choice = first_choice();
+  for (int retry = 0, given_up = 0;;) {
     StepReport report;
     report.retries = retry;
+    report.control.given_up = given_up;
     report.warnings = returned_.warnings;
-    const Attempt attempt = this->attempt(dt, cancel, report);
+    const Attempt attempt = this->attempt(choice, cancel, report);
     if (attempt.outcome == Attempt::accepted) {
-      dt_limit_ = retry > 0 ? dt : std::min(2 * dt_limit_, scene_.time.step);
       report.ms.total = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
       accepted_ = std::move(report);
       return accepted_;
     }
     restore_state();
+    if (attempt.outcome == Attempt::inexact) {
+      choice = attempt.instead;
+      ++given_up;
+      continue;
+    }
     if (attempt.outcome == Attempt::cancelled) {
+      control_->restore();
       returned_.status = StepStatus::cancelled;
       return returned_;
     }
     if (retry == most_retries) {
+      control_->restore();
       returned_.status = StepStatus::failed;
       returned_.retries = retry;
       returned_.failure =
-          attempt.reason + " Even a time step of " + number(dt) +
+          attempt.reason + " Even a time step of " + number(choice.dt) +
           " s did not help. What may help: a smaller /time/step from the start, more particles a cell, a "
           "finer grid, a less extreme material or load.";
       return returned_;
     }
+    choice = control_->retry(choice);
+    ++retry;
     returned_.warnings.push_back("Step " + std::to_string(accepted_.step + 1) + " at t = " + number(time_) +
-                                 " s: " + attempt.reason + " Retried with dt = " + number(dt / 2) + " s.");
-    dt /= 2;
+                                 " s: " + attempt.reason + " Retried with dt = " + number(choice.dt) + " s.");
   }
 }
 
@@ -116,10 +115,12 @@ void SimulationOf<D>::tell_of_blend(const MassMatrix<D>& M, StepReport& report) 
 }
 
 template <int D>
-typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(double dt, const std::atomic<bool>* cancel,
+typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& choice, const std::atomic<bool>* cancel,
                                                            StepReport& report) {
   Lap lap;
-  const double stage = time_ + integrator_->stage() * dt;
+  const double dt = choice.dt, work_before = weigh(work_);
+  Integrator<D>& integrator = integrator_of(choice);
+  const double stage = time_ + integrator.stage() * dt;
   grid_velocity(report);
   lap(report.ms.transfer);
   FeasibleSet<D> set = conditions_.at(plan_, time_, dt);
@@ -134,17 +135,26 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(double dt, const std:
   ElasticEnergy<D> elastic(plan_, particles_, laws_, parallel_, work_);
   std::optional<GrabSpring<D>> spring;
   if (grab_) spring.emplace(plan_, particles_, held_, Vec<D>(grab_->to.head<D>()), grab_stiffness_);
-  choose_solver();
+  const bool adaptive = control_->adaptive();
+  if (!linear_ || choice.implicit || !adaptive) choose_solver(adaptive ? dt : scene_.time.step);
   linear_->new_step();
   lap(report.ms.assemble);
   const NewtonSettings newton{scene_.solver.newton_tolerance, scene_.solver.max_newton};
-  const NewtonResult solved = integrator_->advance(
-      {plan_, M, elastic, spring ? &*spring : nullptr, set, force, dt, newton, *linear_, parallel_, cancel, grid_});
+  StepOutcome outcome{.choice = choice};
+  const NewtonResult solved =
+      integrator.advance({plan_, M, elastic, spring ? &*spring : nullptr, set, force, dt, newton, *linear_, parallel_,
+                          cancel, grid_, choice.kick, adaptive ? &outcome.error_rate : nullptr});
   const SolverWork solver_work = linear_->take_work();
   work_.solver_operations += solver_work.operations;
   work_.stencil_operations += solver_work.stencil_operations;
   lap(report.ms.linear_solve);
   if (solved.status == NewtonStatus::cancelled) return {Attempt::cancelled, ""};
+  outcome.error_rate /= size_;
+  outcome.newton = static_cast<int>(solved.iterations.size());
+  outcome.work = weigh(work_) - work_before;
+  if (solved.status == NewtonStatus::converged)
+    if (const auto instead = control_->judge(outcome, time_, end_, report.control.given_up))
+      return {Attempt::inexact, "", *instead};
   // Angular momentum by cause: what the two transfers change, and what the step on the grid does (THEORY T6).
   Vector momentum;
   M.multiply(grid_.v, momentum);
@@ -153,7 +163,7 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(double dt, const std:
   const Vec3 L_after = grid_angular_momentum(plan_, grid_.u, momentum);
   // The step's forces are M (v_end - v) / dt and act at the scheme's stage, where the inner ones have no torque.
   M.multiply(grid_.v_end - grid_.v, momentum);
-  report.angular.outside = grid_angular_momentum<D>(plan_, integrator_->stage() * grid_.u, momentum);
+  report.angular.outside = grid_angular_momentum<D>(plan_, integrator.stage() * grid_.u, momentum);
   report.angular.time_integration = L_after - L_before - report.angular.outside;
   report.grab_force = spring ? spring->force(grid_.u).norm() : 0;
   lap(report.ms.diagnostics);
@@ -166,7 +176,7 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(double dt, const std:
   conditions_.advance(time_, dt);
   time_ += dt;
   const double nearest = std::round(time_ / scene_.time.step) * scene_.time.step;
-  if (std::abs(time_ - nearest) < 1e-9 * scene_.time.step) time_ = nearest;
+  if (!adaptive && std::abs(time_ - nearest) < 1e-9 * scene_.time.step) time_ = nearest;
   if (std::abs(time_ - end_) < 1e-9 * scene_.time.step) time_ = end_;
   report.dt = dt;
   report.step = accepted_.step + 1;
@@ -182,6 +192,7 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(double dt, const std:
   report.angular.transfer =
       (L_before - accepted_.balance.angular_momentum) + (report.balance.angular_momentum - L_after);
   report.work = work_;
+  tell_control(outcome, report);
   lap(report.ms.diagnostics);
   return {};
 }

@@ -279,6 +279,14 @@ void judge_end(const RunResult& result, const Watchdog& watchdog, const Examiner
   }
 }
 
+/// Adaptive steps land on the times of comparison; fixed ones meet them as they are.
+RunLimits limits_of(const Scene& scene, const MeasureSettings& settings) {
+  RunLimits limits;
+  for (int k = 1; k < settings.samples && scene.time.control != "fixed"; ++k)
+    limits.landings.push_back(scene.time.end * k / settings.samples);
+  return limits;
+}
+
 /// Seconds of the steps of one more run; NaN where it was stopped.
 double time_again(const Scene& scene, const MeasureSettings& settings, const std::atomic<bool>* cancel) {
   Watchdog watchdog(settings.timeout_s, cancel);
@@ -286,7 +294,7 @@ double time_again(const Scene& scene, const MeasureSettings& settings, const std
   Meter meter;
   Runner runner(*simulation);
   runner.add(meter);
-  return runner.run({}, watchdog.flag()).end == RunEnd::done ? meter.wall : not_measured;
+  return runner.run(limits_of(scene, settings), watchdog.flag()).end == RunEnd::done ? meter.wall : not_measured;
 }
 
 void fill_wall(std::vector<double> walls, StudyRow& row) {
@@ -315,7 +323,7 @@ StudyRow measure_run(const Scene& scene, const Reference* reference, const Measu
     Runner runner(*simulation);
     runner.add(meter);
     runner.add(examiner);
-    const RunResult result = runner.run({}, watchdog.flag());
+    const RunResult result = runner.run(limits_of(scene, settings), watchdog.flag());
     cancelled = watchdog.cancelled();
     StudyRow row = meter.row;
     row.end_time = simulation->time();

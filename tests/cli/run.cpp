@@ -99,6 +99,21 @@ TEST_CASE("the same bytes in stats.csv for 1 and 2 threads, and for a run that w
   CHECK(other.err.find("another scene") != std::string::npos);
 }
 
+TEST_CASE("adaptive runs: the same bytes for 1 and 2 threads and when continued, and they compare as equal to themselves") {
+  const Workplace here;
+  here.put("scene.json", falling_block);
+  const std::string run = "run scene.json --set /time/control=adaptive --set /time/tolerance=0.3 --until 0.3 ";
+  REQUIRE(here.run(run + "--out one --threads 1").status == 0);
+  REQUIRE(here.run(run + "--out two --threads 2").status == 0);
+  CHECK(without_wall(here / "one/stats.csv") == without_wall(here / "two/stats.csv"));
+  REQUIRE(here.run(run + "--out parts --steps 5 --checkpoint-every 0.02").status == 0);
+  const Outcome resumed = here.run(run + "--out parts --resume parts/checkpoints/000001.pfc");
+  CAPTURE(resumed.err);
+  CHECK(resumed.status == 0);
+  CHECK(without_wall(here / "one/stats.csv") == without_wall(here / "parts/stats.csv"));
+  CHECK(here.run("compare one two").status == 0);
+}
+
 TEST_CASE("--until replaces the end, --steps counts; the first reached wins") {
   const Workplace here;
   here.put("scene.json", falling_block);

@@ -57,6 +57,27 @@ TEST_CASE("stats.csv in 3D has the third components, and errors where the scene 
   CHECK(with_errors[1].ends_with(",1.5,0.01,0.02,0.029999999999999999,0.040000000000000001"));
 }
 
+TEST_CASE("stats.csv says what adaptive steps chose and why, behind all other columns") {
+  const std::string adaptive = R"(, "time": {"end": 0.2, "step": 0.1, "control": "adaptive"})";
+  const std::string added = ",integrator,limited_by,error_rate,explicit_limit,implicit_cost,explicit_cost,given_up";
+  CHECK(stats_header(2, false, true) == stats_header(2, false) + added);
+  CHECK(stats_header(3, true, true) == stats_header(3, true) + added);
+  CHECK(written<StatsWriter>(small_scene(2, adaptive))[0] == stats_header(2, false, true));
+  StepReport report;
+  CHECK(stats_row(report, 2, false, true) == stats_row(report, 2, false) + ",,,0,0,0,0,0");
+  report.dt = 0.1;
+  report.control = {.adaptive = true,
+                    .implicit = false,
+                    .limited_by = StepLimit::stability,
+                    .error_rate = 0.5,
+                    .explicit_limit = 0.25,
+                    .implicit_cost = 8,
+                    .explicit_cost = 2,
+                    .given_up = 1};
+  CHECK(stats_row(report, 2, false, true) == stats_row(report, 2, false) + ",explicit,stability,0.5,0.25,8,2,1");
+  CHECK(stats_row(report, 2, false) == stats_row(report, 2, false, false));
+}
+
 TEST_CASE("probes.csv has a row each probe and state, and quotes names that need it") {
   const std::string probes = R"(, "probes": [{"name": "tip, upper", "at": [1, 1]}])";
   const auto rows = written<ProbesWriter>(small_scene(2, time_member(0.5, 0.5, 0.5) + probes));

@@ -57,6 +57,27 @@ TEST_CASE("combinations that cannot work are refused with the reason") {
   check_refused("/time/step", 1e-12, "/time/step");
 }
 
+TEST_CASE("a tolerance belongs to adaptive steps, and waits beside fixed ones that are asked for") {
+  Json scene = small_scene();
+  scene["time"] = {{"tolerance", 1e-3}};
+  CHECK(has_problem(problems_in(scene), "/time/tolerance"));
+  for (const char* const control : {"adaptive", "fixed"}) {
+    scene["time"]["control"] = control;
+    const Scene read = parse_scene(scene.dump(), "test");
+    CHECK(read.time.tolerance == 1e-3);
+    CHECK(parse_scene(scene_text(read), "test") == read);
+    // Switched in the window, there and back: an edit like any other.
+    const std::vector<Edit> there{{"/time/control", "fixed"}}, back{{"/time/control", "adaptive"}};
+    CHECK(edited(edited(read, there), back).time.tolerance == 1e-3);
+  }
+  scene["time"].erase("tolerance");
+  CHECK(!parse_scene(scene.dump(), "test").time.tolerance);
+  for (const Json& bad : {Json(0), Json(-1e-3), Json("loose"), Json(true), Json(1e300)}) {
+    scene["time"] = {{"control", "adaptive"}, {"tolerance", bad}};
+    CHECK_MESSAGE(has_problem(problems_in(scene), "/time/tolerance"), bad.dump());
+  }
+}
+
 TEST_CASE("a scene with a known motion reads back equal and can be edited") {
   const Scene scene = parse_scene(exact_scene().dump(), "test");
   CHECK(parse_scene(scene_text(scene), "text") == scene);
