@@ -12,6 +12,7 @@ constexpr float transport_row = 2.8f;    // a button and the space about it
 constexpr float status_row = 2.0f;       // of text, below it where both do not fit in one
 constexpr float transport_one_row = 52;  // what one row of it needs
 constexpr float drawer_tabs = 2.1f;
+constexpr float step_strip_height = 1.9f;
 
 }  // namespace
 
@@ -29,7 +30,8 @@ Layout arrange(const LayoutInput& in) {
   const float right = in.inspector ? whole(std::min(inspector_width * in.em, 0.3f * in.width)) : 0;
   const float middle = std::max(0.0f, in.width - left - right);
   out.transport_rows = middle < transport_one_row * in.em ? 2 : 1;
-  const float transport = whole((transport_row + (out.transport_rows == 2 ? status_row : 0)) * in.em);
+  out.step_strip = in.step_strip ? whole(step_strip_height * in.em) : 0;
+  const float transport = whole((transport_row + (out.transport_rows == 2 ? status_row : 0)) * in.em) + out.step_strip;
   out.transport_row = transport_row * in.em;
   const float tabs = whole(drawer_tabs * in.em);
   // The drawer leaves the view at least two fifths of the height, where that leaves the drawer room for its tabs.

@@ -19,6 +19,7 @@ struct LayoutInput {
   float menu_height = 23;    ///< as ImGui makes it
   bool hide_panels = false;  ///< nothing but the view
   bool inspector = false;
+  bool step_strip = false;  ///< a strip of the steps' lengths under the time line
   bool drawer_open = false;
   float drawer_height = 17;  ///< of the open drawer as the user dragged it [em]
 };
@@ -28,6 +29,7 @@ struct Layout {
   Rect menu, left, view, transport, inspector, drawer;
   int transport_rows = 1;   ///< 2 where one row would be cut
   float transport_row = 0;  ///< height of the first, the buttons' [pixels]
+  float step_strip = 0;     ///< height of the strip at the transport's lower end [pixels]
   bool operator==(const Layout&) const = default;
 };
 

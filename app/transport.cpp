@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/step_strip.hpp"
 #include "app/theme.hpp"
 #include "app/workbench.hpp"
 
@@ -96,6 +97,7 @@ std::string rate_text(double rate) {
 void Workbench::draw_transport() {
   const float em = ImGui::GetFontSize();
   const float row = layout_.transport_row;
+  const Rect& bar = layout_.transport;
   const float inset = std::floor((row - ImGui::GetFrameHeight()) / 2);
   ImGui::SetCursorPosY(inset);
   draw_transport_buttons();
@@ -106,6 +108,9 @@ void Workbench::draw_transport() {
   else
     ImGui::SameLine(0, em);
   draw_transport_status(ImGui::GetWindowWidth() - 0.8f * em);
+  if (layout_.step_strip > 0)
+    draw_step_strip(context_,
+                    {bar.x + 0.8f * em, bar.bottom() - layout_.step_strip, bar.width - 1.6f * em, layout_.step_strip});
 }
 
 void Workbench::draw_transport_buttons() {

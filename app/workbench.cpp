@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/panels/docks.hpp"
+#include "app/step_strip.hpp"
 #include "app/theme.hpp"
 #include "render/picture.hpp"
 
@@ -243,6 +244,7 @@ void Workbench::draw() {
   in.menu_height = menu_height_ > 0 ? menu_height_ : ImGui::GetFrameHeight();
   in.hide_panels = context_.view.hide_panels;
   in.inspector = has_inspector(context_);
+  in.step_strip = has_step_strip(context_);
   in.drawer_open = drawer_open_;
   in.drawer_height = preferences_.drawer_height;
   layout_ = arrange(in);

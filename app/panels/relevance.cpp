@@ -23,8 +23,11 @@ const T* element(const std::vector<T>& items, std::string_view pointer) {
   return i >= 0 && static_cast<std::size_t>(i) < items.size() ? &items[static_cast<std::size_t>(i)] : nullptr;
 }
 
+bool adaptive(const Scene& s) {
+  return s.time.control == "adaptive";
+}
 bool explicit_step(const Scene& s) {
-  return s.integrator.type == "symplectic_euler";
+  return s.integrator.type == "symplectic_euler" && !adaptive(s);
 }
 bool has_inertia(const Scene& s) {
   return s.integrator.type != "quasi_static";
@@ -50,6 +53,7 @@ constexpr std::array rules{
     Rule{"/transfer/velocity_mass", "",
          [](const Scene& s, std::string_view) { return has_inertia(s) && s.transfer.type != "apic"; }},
     Rule{"/transfer/", "", [](const Scene& s, std::string_view) { return has_inertia(s); }},
+    Rule{"/time/tolerance", "", [](const Scene& s, std::string_view) { return adaptive(s); }},
     Rule{"/integrator/mass", "", [](const Scene& s, std::string_view) { return has_inertia(s) && !explicit_step(s); }},
     Rule{"/solver/", "", [](const Scene& s, std::string_view) { return !explicit_step(s); }},
     Rule{"/boundaries/", "/friction", rubs},

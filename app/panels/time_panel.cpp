@@ -10,6 +10,7 @@ namespace pf::app {
 namespace {
 
 void compare_with_explicit(const Scene& scene) {
+  if (scene.time.control == "adaptive") return;  // the strip under the time line says what is taken
   const auto limit = explicit_limit(scene);
   if (!limit) return;
   const double ratio = scene.time.step / *limit;
@@ -34,6 +35,7 @@ void draw_time_panel(AppContext& context) {
   compare_with_explicit(context.scene);
   setting_widget(context, "/integrator/type");
   setting_widget(context, "/time/control");
+  setting_widget(context, "/time/tolerance");
   setting_widget(context, "/time/end");
   if (foldable("Advanced")) {
     setting_widget(context, "/time/frame");

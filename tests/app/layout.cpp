@@ -26,6 +26,7 @@ TEST_CASE("the parts tile the window at every size and scale without overlapping
         for (const bool inspector : {false, true})
           for (const bool drawer : {false, true}) {
             LayoutInput in;
+            in.step_strip = drawer;
             in.width = width;
             in.height = height;
             in.em = em;
@@ -45,6 +46,7 @@ TEST_CASE("the parts tile the window at every size and scale without overlapping
               for (std::size_t k = 0; k < i; ++k) CHECK_FALSE(overlap(parts[i], parts[k]));
             }
             CHECK(l.inspector.empty() == !inspector);
+            CHECK((l.step_strip > 0) == in.step_strip);
             if (em > 15 && height < 800) continue;  // the bars alone are higher than such a window
             CHECK(area == doctest::Approx(width * height));
             CHECK(l.view.width >= 0.24f * width);
