@@ -11,6 +11,7 @@
 #include "core/files.hpp"
 #include "core/params/nearest.hpp"
 #include "core/params/problem.hpp"
+#include "core/studies/adaptive_front.hpp"
 #include "core/studies/driver.hpp"
 #include "core/studies/results.hpp"
 #include "core/studies/study_charts.hpp"
@@ -69,6 +70,8 @@ void finish(const StudyDriver& driver, const fs::path& folder) {
   write_figures(study_figures(driver.study(), rows), driver.study(), folder);
   if (driver.study().kind == StudyKind::work_precision)
     write_atomically(folder / "best.json", best_document(driver.study(), rows).dump(2) + '\n');
+  if (const std::string csv = adaptive_csv(driver.study(), rows); !csv.empty())
+    write_atomically(folder / "adaptive.csv", csv);
 }
 
 int run_one(const std::string& name, const StudyRunOptions& options, const fs::path& folder,
