@@ -140,9 +140,22 @@ StepChoice AdaptiveControl::next(double time, double end) {
 }
 
 std::optional<StepChoice> AdaptiveControl::judge(const StepOutcome& tried, double time, double end, int given_up) {
-  const double rate = tried.error_rate;
+  double rate = std::max(0.0, tried.error_rate - now_.floor);
   if (!tried.choice.implicit || !(rate > still_accepted * setup_.tolerance) || given_up >= most_given_up)
     return std::nullopt;
+  // Where a constraint's nodes share a consistent mass with free ones, their velocities jump in every step, however
+  // short. What does not fall with dt although every wave is resolved is no error of the time step.
+  const bool resolved = setup_.wave_speed * tried.choice.dt < 0.5 * setup_.spacing;
+  if (resolved && given_up > 0 && tried.choice.dt < now_.refused_dt && rate > 0.8 * now_.refused_rate) {
+    // What a straight line through both attempts leaves at dt = 0.
+    const double d1 = now_.refused_dt, d2 = tried.choice.dt;
+    const double part = std::clamp((rate * d1 - now_.refused_rate * d2) / (d1 - d2), 0.0, rate);
+    now_.floor += part;
+    rate -= part;
+    if (!(rate > still_accepted * setup_.tolerance)) return std::nullopt;
+  }
+  now_.refused_dt = tried.choice.dt;
+  now_.refused_rate = rate;
   learn_work(tried);
   now_.dt_implicit = now_.implicit_target = tried.choice.dt * std::clamp(aim * setup_.tolerance / rate, 0.1, 0.7);
   now_.mean_square = 0;
@@ -171,8 +184,9 @@ void AdaptiveControl::learn_work(const StepOutcome& outcome) {
 }
 
 void AdaptiveControl::accepted_implicit(const StepOutcome& outcome) {
-  const double dt = outcome.choice.dt, per_dt = outcome.error_rate / dt;
+  const double dt = outcome.choice.dt, per_dt = std::max(0.0, outcome.error_rate - now_.floor) / dt;
   now_.error_rate = outcome.error_rate;
+  now_.floor *= 0.99;
   learn_work(outcome);
   now_.mean_square =
       now_.mean_square == 0 ? per_dt * per_dt : memory * now_.mean_square + (1 - memory) * per_dt * per_dt;

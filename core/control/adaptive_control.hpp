@@ -36,20 +36,22 @@ class AdaptiveControl final : public StepControl {
   /// Numbers only, so that a state is saved and compared as they stand. Truths are 0 or 1.
   struct State {
     double begun = 0, implicit = 1, barred = 0;
-    double dt_implicit = 0;          ///< of the next implicit step [s]
-    double implicit_target = 0;      ///< what the tolerance would allow [s]
-    double mean_square = 0;          ///< running mean of (error rate / dt)^2 [1/s^4]; 0: none yet
-    double newton_bound = 0;         ///< 1: Newton's iterations hold dt_implicit down
-    double growth = 1.5;             ///< of implicit steps, at most
-    double work_ratio = 1;           ///< counted work of implicit steps over the prediction
-    double counted = 0;              ///< 1: work_ratio is counted
-    double dt_stable = 0;            ///< what explicit steps may have for stability [s]
-    double dt_exact = 0;             ///< ... for the tolerance [s]; 0: no bound known
-    double dt_mended = 0;            ///< ... after a failure [s]; 0: no bound
-    double limit = 0, age = 0;       ///< explicit limit [s], and steps since it was found
-    double speed = 0;                ///< of the fastest particle [m/s]
-    double error_rate = 0;           ///< newest estimate [1/s]
-    double votes = 0;                ///< steps in a row that spoke for the other integrator
+    double dt_implicit = 0;                   ///< of the next implicit step [s]
+    double implicit_target = 0;               ///< what the tolerance would allow [s]
+    double mean_square = 0;                   ///< running mean of (error rate / dt)^2 [1/s^4]; 0: none yet
+    double floor = 0;                         ///< part of the estimate that no shorter step makes smaller [1/s]
+    double refused_dt = 0, refused_rate = 0;  ///< of the attempt at this step that was given up last; 0: none
+    double newton_bound = 0;                  ///< 1: Newton's iterations hold dt_implicit down
+    double growth = 1.5;                      ///< of implicit steps, at most
+    double work_ratio = 1;                    ///< counted work of implicit steps over the prediction
+    double counted = 0;                       ///< 1: work_ratio is counted
+    double dt_stable = 0;                     ///< what explicit steps may have for stability [s]
+    double dt_exact = 0;                      ///< ... for the tolerance [s]; 0: no bound known
+    double dt_mended = 0;                     ///< ... after a failure [s]; 0: no bound
+    double limit = 0, age = 0;                ///< explicit limit [s], and steps since it was found
+    double speed = 0;                         ///< of the fastest particle [m/s]
+    double error_rate = 0;                    ///< newest estimate [1/s]
+    double votes = 0;                         ///< steps in a row that spoke for the other integrator
     double since = 0, patience = 0;  ///< steps since the last change of integrator; so many before the next one
     double jerk = 0;                 ///< largest of late of the motion's third derivative, over the size [1/s^3]
     double mark_interval = 0, next_mark = 0;  ///< [s]

@@ -99,7 +99,8 @@ TEST_CASE("the same bytes in stats.csv for 1 and 2 threads, and for a run that w
   CHECK(other.err.find("another scene") != std::string::npos);
 }
 
-TEST_CASE("adaptive runs: the same bytes for 1 and 2 threads and when continued, and they compare as equal to themselves") {
+TEST_CASE(
+    "adaptive runs: the same bytes for 1 and 2 threads and when continued, and they compare as equal to themselves") {
   const Workplace here;
   here.put("scene.json", falling_block);
   const std::string run = "run scene.json --set /time/control=adaptive --set /time/tolerance=0.3 --until 0.3 ";
