@@ -8,13 +8,20 @@ namespace pf {
 
 namespace {
 
-/// Measured (docs/performance.md): iterations of block-Jacobi for each cell that a pressure wave crosses in a step, and
-/// how many iterations a solve pay for multigrid's matrices.
+/// Measured (docs/performance.md), in iterations of block-Jacobi: how many each cell takes that a pressure wave crosses
+/// in a step; in 2D and 3D, what multigrid's matrices cost, and one of its iterations.
 constexpr double iterations_a_cell = 2.6;
-constexpr double worth_multigrid = 40, worth_direct = 150, no_longer_worth = 25;
+constexpr double cost_of_matrices[] = {16, 22}, cost_of_cycle[] = {3.2, 2.3};
+/// A solve by multigrid, before one has been counted; by factors.
+constexpr double worth_multigrid = 40, worth_direct = 150;
+/// What changes the solver must save so much.
+constexpr double gain = 1.3;
+/// Steps with multigrid until block-Jacobi is counted again, unless it took more than so many times as much.
+constexpr int steps_to_trial = 30;
+constexpr double hopeless = 4;
 constexpr int most_direct_nodes = 30000;
-/// With fewer nodes multigrid has nothing to gain: at 12 thousand both were still as fast as each other.
-constexpr int least_multigrid_nodes = 4000;
+/// With fewer nodes multigrid has nothing to gain.
+constexpr int least_multigrid_nodes[] = {500, 4000};
 
 std::string text(const char* format, double value) {
   char line[200];
@@ -42,25 +49,50 @@ double SimulationOf<D>::expected_iterations(double dt) const {
 }
 
 template <int D>
+void SimulationOf<D>::count_solves(const StepReport& report) {
+  const auto solves = static_cast<double>(report.newton.size()) - 1;
+  if (!(solves > 0)) return;
+  solves_.solver = chosen_solver_;
+  const double iterations = report.linear_iterations;
+  if (chosen_solver_ == "pcg_jacobi") {
+    solves_.jacobi = iterations / solves;
+    solves_.steps = 0;
+  }
+  if (chosen_solver_ == "pcg_multigrid") {
+    const double matrices = static_cast<double>(report.work.assembly) / static_cast<double>(particles_.size());
+    solves_.multigrid = (matrices * cost_of_matrices[D - 2] + iterations * cost_of_cycle[D - 2]) / solves;
+    ++solves_.steps;
+  }
+}
+
+template <int D>
 std::string SimulationOf<D>::automatic_solver(double dt) {
-  const auto solves = static_cast<int>(accepted_.newton.size()) - 1;
-  const double each = solves > 0 ? static_cast<double>(accepted_.linear_iterations) / solves : 0;
-  const bool counted = solves > 0 && chosen_solver_ == "pcg_jacobi";
-  const double expected = counted ? each : expected_iterations(dt);
+  const bool counted = solves_.jacobi > 0;
+  const double jacobi = counted ? solves_.jacobi : expected_iterations(dt);
+  const double multigrid = solves_.multigrid > 0 ? solves_.multigrid : worth_multigrid;
+  const bool coarsens = plan_.node_count() >= least_multigrid_nodes[D - 2];
   const bool small = D == 2 && plan_.node_count() < most_direct_nodes;
-  if (chosen_solver_ == "direct" && small) {
-    choice_reason_ = text("block-Jacobi took more than %.0f iterations a solve", worth_direct);
+  if (small && (solves_.solver == "direct" || std::min(jacobi, coarsens ? multigrid : jacobi) > worth_direct)) {
+    choice_reason_ = text("iterations would be more than %.0f a solve", worth_direct);
     return "direct";
   }
-  if (chosen_solver_ == "pcg_multigrid" && (each >= 4 || expected > no_longer_worth)) {
-    choice_reason_ = text("its matrices still pay: %.1f iterations a solve were counted", each);
-    return chosen_solver_;
+  if (solves_.solver == "pcg_multigrid" && coarsens) {
+    const bool trial = solves_.steps >= steps_to_trial && (!counted || jacobi < hopeless * multigrid);
+    if (!trial && multigrid < gain * jacobi) {
+      choice_reason_ = text("a solve costs as much as %.0f iterations of block-Jacobi", multigrid) +
+                       text(counted ? ", which took %.0f" : ", of which about %.0f are expected", jacobi);
+      return solves_.solver;
+    }
+  } else if (coarsens && jacobi > gain * multigrid) {
+    choice_reason_ = text(counted ? "block-Jacobi took %.0f iterations a solve"
+                                  : "about %.0f iterations a solve of block-Jacobi are expected of waves this fast",
+                          jacobi);
+    return "pcg_multigrid";
   }
   choice_reason_ = text(counted ? "%.0f iterations a solve of block-Jacobi were counted"
                                 : "about %.0f iterations a solve of block-Jacobi are expected of waves this fast",
-                        expected);
-  if (small && expected > worth_direct) return "direct";
-  return expected > worth_multigrid && plan_.node_count() >= least_multigrid_nodes ? "pcg_multigrid" : "pcg_jacobi";
+                        jacobi);
+  return "pcg_jacobi";
 }
 
 template <int D>
@@ -78,6 +110,8 @@ void SimulationOf<D>::choose_solver(double dt) {
 
 template double SimulationOf<2>::expected_iterations(double) const;
 template double SimulationOf<3>::expected_iterations(double) const;
+template void SimulationOf<2>::count_solves(const StepReport&);
+template void SimulationOf<3>::count_solves(const StepReport&);
 template std::string SimulationOf<2>::automatic_solver(double);
 template std::string SimulationOf<3>::automatic_solver(double);
 template void SimulationOf<2>::choose_solver(double);

@@ -91,6 +91,7 @@ void SimulationOf<D>::make_settings() {
   transfer_ = make_transfer<D>(scene_.transfer.type, scene_.transfer.flip_ratio);
   integrator_ = make_integrator<D>(scene_.integrator.type);
   chosen_solver_.clear();
+  solves_ = {};
   loads_.set_gravity(scene_.gravity);
 }
 

@@ -51,6 +51,12 @@ class SimulationOf final : public Simulation {
     std::string reason = {};  ///< of failure, for the user
     StepChoice instead = {};  ///< of a step that was too inexact
   };
+  /// What "auto" has counted of solves, in iterations of block-Jacobi; 0: not yet.
+  struct SolveCosts {
+    std::string solver;  ///< of the last accepted step that solved something
+    double jacobi = 0, multigrid = 0;
+    double steps = 0;  ///< with multigrid, since block-Jacobi was counted
+  };
   /// The grid of the last accepted step, for pictures.
   struct LastGrid {
     std::vector<std::array<long long, D>> index;
@@ -62,6 +68,7 @@ class SimulationOf final : public Simulation {
   void make_settings();
   void choose_solver(double dt);
   std::string automatic_solver(double dt);
+  void count_solves(const StepReport& report);
   double expected_iterations(double dt) const;
   double weigh(const Work& work) const;
   std::unique_ptr<StepControl> new_control() const;
@@ -93,6 +100,7 @@ class SimulationOf final : public Simulation {
   std::unique_ptr<StepControl> control_;
   std::unique_ptr<LinearSolver<D>> linear_;
   std::string chosen_solver_, choice_reason_;
+  SolveCosts solves_;
   Conditions<D> conditions_;
   Loads<D> loads_;
   KnownMotion<D> known_;

@@ -10,7 +10,7 @@ namespace pf {
 
 namespace {
 
-constexpr std::uint64_t magic = 0x3330657461745350;  // "PState03"
+constexpr std::uint64_t magic = 0x3430657461745350;  // "PState04"
 
 template <class T>
 void put(std::ostream& out, const T& value) {
@@ -95,9 +95,8 @@ void SimulationOf<D>::save_state(std::ostream& out) const {
   put(out, time_);
   put(out, static_cast<std::int64_t>(accepted_.step));
   // What "auto" has counted so far decides what it does next.
-  put(out, static_cast<std::int64_t>(accepted_.newton.size()));
-  put(out, static_cast<std::int64_t>(accepted_.linear_iterations));
-  put(out, solver_code(chosen_solver_));
+  put(out, solver_code(solves_.solver));
+  put(out, std::array<double, 3>{solves_.jacobi, solves_.multigrid, solves_.steps});
   particles_.each([&](const auto& values) { put(out, values); });
   put(out, rubbing_);
   put(out, conditions_.displacement());
@@ -116,12 +115,12 @@ void SimulationOf<D>::load_state(std::istream& in) {
   if (dimension != D || count != particles_.size()) refuse("the state of another scene");
   Particles<D> loaded;
   double time = 0;
-  std::int64_t step = 0, solves = 0, linear = 0, direct = 0;
+  std::int64_t step = 0, solver = 0;
+  std::array<double, 3> solves{};
   get(in, time);
   get(in, step);
+  get(in, solver);
   get(in, solves);
-  get(in, linear);
-  get(in, direct);
   loaded.each([&](auto& values) { get(in, values, particles_.size()); });
   std::vector<RubbingNode<D>> rubbing;
   get(in, rubbing);
@@ -149,9 +148,8 @@ void SimulationOf<D>::load_state(std::istream& in) {
   fill_diagnostics(accepted_);
   control_->report(accepted_.control);
   accepted_.active_nodes = plan_.node_count();
-  accepted_.newton.resize(static_cast<std::size_t>(solves));
-  accepted_.linear_iterations = static_cast<int>(linear);
-  chosen_solver_ = solver_of(direct);
+  chosen_solver_ = solver_of(solver);
+  solves_ = {chosen_solver_, solves[0], solves[1], solves[2]};
 }
 
 template void SimulationOf<2>::save_state(std::ostream&) const;

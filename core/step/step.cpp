@@ -58,6 +58,7 @@ const StepReport& SimulationOf<D>::step(const std::atomic<bool>* cancel) {
     const Attempt attempt = this->attempt(choice, cancel, report);
     if (attempt.outcome == Attempt::accepted) {
       report.ms.total = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+      count_solves(report);
       accepted_ = std::move(report);
       return accepted_;
     }
