@@ -21,7 +21,7 @@ struct LayoutInput {
   bool inspector = false;
   bool step_strip = false;  ///< a strip of the steps' lengths under the time line
   bool drawer_open = false;
-  float drawer_height = 17;  ///< of the open drawer as the user dragged it [em]
+  float drawer_height = 19.5F;  ///< of the open drawer as the user dragged it [em]
 };
 
 /// Empty rectangles are not shown.

@@ -15,7 +15,7 @@ struct Preferences {
   int window_width = 1280, window_height = 800;  ///< in screen coordinates
   bool maximized = false;
   bool drawer_open = false;
-  float drawer_height = 17;                   ///< [em]
+  float drawer_height = 19.5F;                ///< [em]
   std::vector<std::filesystem::path> recent;  ///< newest first, absolute
   bool operator==(const Preferences&) const = default;
 };
