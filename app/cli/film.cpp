@@ -13,7 +13,7 @@
 
 #include "core/params/problem.hpp"
 
-extern char** environ;
+extern char** environ;  // NOLINT(readability-redundant-declaration): not every unistd.h has it
 
 namespace pf::app {
 
@@ -26,6 +26,7 @@ std::string reason(int error) {
 // ffmpeg reads frames from `input`, in a process group of its own: Ctrl+C is ours, and ends the film properly.
 int start(std::vector<std::string> arguments, int input, pid_t& process) {
   std::vector<char*> argv;
+  argv.reserve(arguments.size() + 1);
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
   posix_spawn_file_actions_t actions;

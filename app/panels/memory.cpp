@@ -35,6 +35,7 @@ void follow_pins(AppContext& context, PanelMemory& m) {
   }
   const nlohmann::ordered_json current = as_run(m);
   std::vector<const nlohmann::ordered_json*> scenes;
+  scenes.reserve(pinned.size() + 1);
   for (const PinnedRun& run : pinned) scenes.push_back(&run.scene);
   scenes.push_back(&current);
   const std::vector<std::string> labels = distinguishing_labels(scenes);

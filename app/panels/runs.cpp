@@ -46,7 +46,7 @@ void Curves::follow(const std::vector<StepReport>& reports) {
 namespace {
 
 /// "FLIP (increments)" -> "FLIP": labels are short, the panel explains.
-std::string without_note(std::string text) {
+std::string without_note(const std::string& text) {
   const std::size_t note = text.find(" (");
   return note == std::string::npos ? text : text.substr(0, note);
 }

@@ -104,8 +104,8 @@ void draw_bodies(AppContext& context) {
   for (std::size_t i = 0; i < context.scene.bodies.size(); ++i) {
     const Body& body = context.scene.bodies[i];
     const std::string index = std::to_string(i);
-    const std::string name = body.name.empty() ? "Body " + std::to_string(i + 1) : body.name;
-    if (!foldable((name + "###body" + index).c_str())) continue;
+    std::string name = body.name.empty() ? "Body " + std::to_string(i + 1) : body.name;
+    if (!foldable(name.append("###body").append(index).c_str())) continue;
     for (const char* key : {"velocity", "particles_per_axis", "sampling", "seed"})
       setting_widget(context, pointer_to({"bodies", index, key}));
   }
@@ -114,8 +114,8 @@ void draw_bodies(AppContext& context) {
 void draw_walls(AppContext& context) {
   for (std::size_t i = 0; i < context.scene.boundaries.size(); ++i) {
     const std::string index = std::to_string(i);
-    const std::string name = "Wall " + std::to_string(i + 1);
-    if (!foldable((name + "###wall" + index).c_str())) continue;
+    std::string name = "Wall " + std::to_string(i + 1);
+    if (!foldable(name.append("###wall").append(index).c_str())) continue;
     for (const char* key : {"contact", "friction", "velocity"})
       setting_widget(context, pointer_to({"boundaries", index, key}));
   }
