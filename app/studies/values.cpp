@@ -101,6 +101,7 @@ std::vector<json> typed_values(std::string_view typed, const Setting& setting, c
 
 std::vector<json> extended(const std::vector<json>& values, const Setting& setting, bool smaller) {
   std::vector<double> sorted;
+  sorted.reserve(values.size());
   for (const json& value : values) sorted.push_back(value.get<double>());
   if (sorted.empty()) return values;
   const bool falling = sorted.front() > sorted.back();

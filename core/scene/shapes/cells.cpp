@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <future>
 
 #include "core/scene/shapes/cell_cut.hpp"
 
@@ -78,16 +79,17 @@ class Tree {
 /// All cells of a lattice, plane by plane, so that values come in rows.
 class Lattice {
  public:
-  Lattice(const LevelSet& set, CellCut& cut) : set_(set), cut_(cut) {}
+  Lattice(const LevelSet& set, int cells)
+      : set_(set), n_(counts(set, (set.domain.max - set.domain.min).maxCoeff() / cells)), size_(cell_size(set, n_)) {}
+  int layers() const { return n_[2]; }
 
-  double run(int cells) {
-    n_ = counts(set_, (set_.domain.max - set_.domain.min).maxCoeff() / cells);
-    size_ = cell_size(set_, n_);
-    std::vector<double> below = plane(0), above = below;
+  /// Of the layers from `first` on, before `last`.
+  double run(CellCut& cut, int first, int last) const {
+    std::vector<double> below = plane(first), above = below;
     double sum = 0;
-    for (int k = 0; k < n_[2]; ++k) {
+    for (int k = first; k < last; ++k) {
       if (set_.dimension == 3) above = plane(k + 1);
-      sum += layer(k, below, above);
+      sum += layer(cut, k, below, above);
       below.swap(above);
     }
     return sum;
@@ -111,28 +113,44 @@ class Lattice {
     return values;
   }
 
-  double layer(int k, const std::vector<double>& below, const std::vector<double>& above) {
+  double layer(CellCut& cut, int k, const std::vector<double>& below, const std::vector<double>& above) const {
     double sum = 0;
     for (int j = 0; j < n_[1]; ++j)
       for (int i = 0; i < n_[0]; ++i) {
         const std::size_t a = node(i, j), b = node(i, j + 1);
         const CellCut::Values values = {below[a], below[a + 1], below[b], below[b + 1],
                                         above[a], above[a + 1], above[b], above[b + 1]};
-        sum += cut_.measure(set_.domain.min + Vec3(i, j, k).cwiseProduct(size_), size_, values);
+        sum += cut.measure(set_.domain.min + Vec3(i, j, k).cwiseProduct(size_), size_, values);
       }
     return sum;
   }
 
   const LevelSet& set_;
-  CellCut& cut_;
-  std::array<int, 3> n_{};
+  std::array<int, 3> n_;
   Vec3 size_;
 };
+
+/// Two halves at a time, always the same two, so that the sum has the same bits on any machine.
+double run_halves(const LevelSet& set, int cells) {
+  const Lattice lattice(set, cells);
+  const int middle = lattice.layers() / 2;
+  const auto half = [&](int first, int last) {
+    CellCut cut(set, nullptr);
+    return lattice.run(cut, first, last);
+  };
+  if (middle == 0) return half(0, lattice.layers());
+  std::future<double> upper = std::async(std::launch::async, half, middle, lattice.layers());
+  const double lower = half(0, middle);
+  return lower + upper.get();
+}
 
 double walk(const LevelSet& set, int cells, std::vector<SurfacePoint>* surface) {
   if (!(box_measure(set.domain.max - set.domain.min, set.dimension) > 0)) return 0;
   CellCut cut(set, surface);
-  return set.is_bound ? Tree(set, cut).run(cells) : Lattice(set, cut).run(cells);
+  if (set.is_bound) return Tree(set, cut).run(cells);
+  if (surface == nullptr) return run_halves(set, cells);
+  const Lattice lattice(set, cells);
+  return lattice.run(cut, 0, lattice.layers());
 }
 
 }  // namespace
