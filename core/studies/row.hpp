@@ -35,8 +35,8 @@ struct StudyRow {
   double end_time = 0;                          ///< reached [s]
   double dt = not_measured, dx = not_measured;  ///< settings as run [s], [m]
   double particles = not_measured;
-  double p2g = 0, g2p = 0, energy = 0, gradient = 0, tangent = 0, hessian_product = 0, diagonal = 0,
-         assembly = 0, solver_operations = 0, stencil_operations = 0;  ///< StepReport::work
+  double p2g = 0, g2p = 0, energy = 0, gradient = 0, tangent = 0, hessian_product = 0, diagonal = 0, assembly = 0,
+         solver_operations = 0, stencil_operations = 0;  ///< StepReport::work
 };
 
 /// A column of numbers.
