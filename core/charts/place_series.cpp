@@ -126,8 +126,8 @@ std::vector<Point2> distinct(std::vector<Point2> marks) {
   if (marks.size() < 1000) return marks;
   const auto key = [](Point2 p) { return std::pair(std::lround(2 * p.x), std::lround(2 * p.y)); };
   std::ranges::sort(marks, {}, key);
-  const auto rest = std::ranges::unique(marks, {}, key);
-  marks.erase(rest.begin(), rest.end());
+  const auto same = [&key](Point2 a, Point2 b) { return key(a) == key(b); };
+  marks.erase(std::unique(marks.begin(), marks.end(), same), marks.end());
   return marks;
 }
 

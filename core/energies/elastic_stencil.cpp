@@ -68,12 +68,12 @@ class CellBlocks {
   }
 
   /// The first D of `from` again and again.
-  static Lanes repeat(const float* from) {
-    typename FloatsOf<lanes>::places places;
-    for (int j = 0; j < lanes; ++j) places[j] = j % D;
+  static Lanes repeat(const float* from) { return repeat(from, std::make_integer_sequence<int, lanes>()); }
+  template <int... j>
+  static Lanes repeat(const float* from, std::integer_sequence<int, j...>) {
     Lanes v;
     __builtin_memcpy(&v, from, sizeof v);
-    return __builtin_shuffle(v, places);
+    return __builtin_shufflevector(v, v, (j % D)...);
   }
 
   /// Component a of the K nodes of line m with the nodes of the lines [first, first + K) up to m.

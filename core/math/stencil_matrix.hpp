@@ -66,7 +66,6 @@ decltype(auto) with_reach(int reach, Function&& f) {
 template <int count>
 struct FloatsOf {
   typedef float type __attribute__((vector_size(count * 4)));  // NOLINT: the attribute needs a typedef
-  typedef int places __attribute__((vector_size(count * 4)));  // NOLINT: the same
 };
 template <int count>
 using FloatLanes = typename FloatsOf<count>::type;

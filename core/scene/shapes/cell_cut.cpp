@@ -70,8 +70,8 @@ Vec3 CellCut::find_crossing(const Corner& in, const Corner& out) const {
 }
 
 void CellCut::triangle(std::array<Corner, 3> c) {
-  const auto first_outside = std::ranges::stable_partition(c, [](const Corner& k) { return k.inside(); });
-  const auto inside = first_outside.begin() - c.begin();
+  const auto first_outside = std::stable_partition(c.begin(), c.end(), [](const Corner& k) { return k.inside(); });
+  const auto inside = first_outside - c.begin();
   const double whole = triangle_area(at(c[0]), at(c[1]), at(c[2]));
   if (inside == 0 || inside == 3) {
     inside_ += inside == 0 ? 0 : whole;
@@ -88,8 +88,8 @@ void CellCut::triangle(std::array<Corner, 3> c) {
 }
 
 void CellCut::tetrahedron(std::array<Corner, 4> c) {
-  const auto first_outside = std::ranges::stable_partition(c, [](const Corner& k) { return k.inside(); });
-  const auto inside = first_outside.begin() - c.begin();
+  const auto first_outside = std::stable_partition(c.begin(), c.end(), [](const Corner& k) { return k.inside(); });
+  const auto inside = first_outside - c.begin();
   const double whole = size_.prod() / 6;
   if (inside == 0 || inside == 4) {
     inside_ += inside == 0 ? 0 : whole;
