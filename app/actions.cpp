@@ -15,19 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A scene's name as a file's: "Falling block" -> "falling-block".
-std::string kebab(const std::string& name) {
-  std::string out;
-  for (const char c : name) {
-    if (std::isalnum(static_cast<unsigned char>(c)))
-      out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    else if (!out.empty() && out.back() != '-')
-      out += '-';
-  }
-  while (!out.empty() && out.back() == '-') out.pop_back();
-  return out.empty() ? "scene" : out;
-}
-
 fs::path picture_folder() {
   const auto existing = [](const char* value) {
     std::error_code error;
@@ -110,13 +97,13 @@ void Workbench::act(Action action, int index) {
     case Action::save_as:
       return ask_save_as();
     case Action::save_recording:
-      return ask_save("Save recording", ".json", fs::path(kebab(context_.scene.name) + "-recording.json"),
+      return ask_save("Save recording", ".json", fs::path(file_stem(context_.scene.name, "scene") + "-recording.json"),
                       [this](const fs::path& file) {
                         if (!save_to(file, session_.recorded())) return;
                         if (const std::string w = session_.recording_warning(); !w.empty()) notices_.add(w);
                       });
     case Action::picture:
-      picture_wanted_ = free_file(context_.save_folder, kebab(context_.scene.name), ".png");
+      picture_wanted_ = free_file(context_.save_folder, file_stem(context_.scene.name, "scene"), ".png");
       break;
     case Action::export_picture:
       return ask_picture();
@@ -282,7 +269,7 @@ void Workbench::save() {
 
 void Workbench::ask_save_as() {
   const bool ours = !context_.scene_file.empty() && !shipped(context_.scene_file);
-  const fs::path proposal = ours ? context_.scene_file : fs::path(kebab(context_.scene.name) + ".json");
+  const fs::path proposal = ours ? context_.scene_file : fs::path(file_stem(context_.scene.name, "scene") + ".json");
   ask_save("Save scene", ".json", proposal, [this](const fs::path& file) {
     if (!save_to(file, context_.scene)) return;
     context_.scene_file = file;
@@ -322,7 +309,7 @@ void Workbench::ask_save(const std::string& title, const std::string& extension,
 }
 
 void Workbench::ask_picture() {
-  ask_save("Save picture", ".png", context_.save_folder / (kebab(context_.scene.name) + ".png"),
+  ask_save("Save picture", ".png", context_.save_folder / (file_stem(context_.scene.name, "scene") + ".png"),
            [this](const fs::path& file) {
              picture_wanted_ = file;
              settle_ = 3;

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -17,13 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-fs::path xdg_folder(const char* variable, const char* below_home) {
-  // The specification: relative paths in these variables are to be ignored.
-  if (const char* set = std::getenv(variable); set && *set == '/') return fs::path(set) / "pushforward";
-  const char* home = std::getenv("HOME");
-  return fs::path(home && *home ? home : "/tmp") / below_home / "pushforward";
-}
 
 Json read(const fs::path& file) {
   std::ifstream in(file);
@@ -45,6 +39,25 @@ void take_flag(const Json& from, const char* key, bool& into) {
 }
 
 }  // namespace
+
+fs::path xdg_folder(const char* variable, const char* below_home) {
+  // The specification: relative paths in these variables are to be ignored.
+  if (const char* set = std::getenv(variable); set && *set == '/') return fs::path(set) / "pushforward";
+  const char* home = std::getenv("HOME");
+  return fs::path(home && *home ? home : "/tmp") / below_home / "pushforward";
+}
+
+std::string file_stem(std::string_view name, std::string_view otherwise) {
+  std::string stem;
+  for (const char c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)))
+      stem += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    else if (!stem.empty() && stem.back() != '-')
+      stem += '-';
+  }
+  while (stem.ends_with('-')) stem.pop_back();
+  return stem.empty() ? std::string(otherwise) : stem;
+}
 
 PreferenceFolders default_folders() {
   return {xdg_folder("XDG_CONFIG_HOME", ".config"), xdg_folder("XDG_STATE_HOME", ".local/state")};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -35,6 +36,11 @@ Preferences load_preferences(const PreferenceFolders& folders);
 void save_preferences(const Preferences& preferences, const PreferenceFolders& folders);
 /// Moves `file` to the front of the recent ones.
 void note_recent(Preferences& preferences, const std::filesystem::path& file);
+
+/// $`variable`/pushforward, or `below_home`/pushforward in $HOME where it is unset or relative.
+std::filesystem::path xdg_folder(const char* variable, const char* below_home);
+/// A name as a file's: "Falling block" -> "falling-block"; `otherwise` where nothing is left of it.
+std::string file_stem(std::string_view name, std::string_view otherwise);
 
 /// Through a temporary file in the same folder, which is made when missing, and a rename: readers see the old text
 /// or the new. Throws FileError.

@@ -39,6 +39,11 @@ std::string_view kernel_weights_note() {
          "2D quadratic Hessian product";
 }
 
+Work& operator+=(Work& work, const Work& more) {
+  for (const KernelWeight& weight : table) work.*weight.visits += more.*weight.visits;
+  return work;
+}
+
 double weighted_work(const Work& work, int dimension, int nodes_per_axis) {
   const auto basis = static_cast<std::size_t>(std::clamp(nodes_per_axis - 2, 0, 2));
   double sum = 0;

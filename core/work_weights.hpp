@@ -20,6 +20,7 @@ struct KernelWeight {
 std::span<const KernelWeight> kernel_weights();
 /// Where the numbers come from, for people.
 std::string_view kernel_weights_note();
+Work& operator+=(Work& work, const Work& more);
 /// The weighted sum of the visits, in units of one 2D quadratic Hessian product of one particle.
 double weighted_work(const Work& work, int dimension, int nodes_per_axis);
 

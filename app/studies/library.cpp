@@ -1,10 +1,9 @@
 #include "app/studies/library.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "app/preferences.hpp"
 #include "core/assets.hpp"
 #include "core/files.hpp"
 #include "core/hash.hpp"
@@ -45,17 +44,12 @@ bool is_study(const nlohmann::json& json) {
 }  // namespace
 
 fs::path default_study_folder() {
-  const char* set = std::getenv("XDG_DATA_HOME");
-  const char* home = std::getenv("HOME");
-  const fs::path data = set != nullptr && *set == '/'   ? fs::path(set)
-                        : home != nullptr && *home != 0 ? fs::path(home) / ".local" / "share"
-                                                        : fs::temp_directory_path();
-  return data / "pushforward" / "studies";
+  return xdg_folder("XDG_DATA_HOME", ".local/share") / "studies";
 }
 
 fs::path results_folder(const fs::path& root, const Study& study) {
   const std::string hash = content_hash(study_identity(study) + program_identity() + study.name);
-  return root / (file_stem(study.name.empty() ? "study" : study.name).substr(0, 60) + "-" + hash.substr(0, 8));
+  return root / (file_stem(study.name, "study").substr(0, 60) + "-" + hash.substr(0, 8));
 }
 
 std::vector<LibraryEntry> shipped_studies() {
@@ -98,18 +92,6 @@ std::vector<LibraryEntry> earlier_studies(const fs::path& root, std::size_t most
 
 bool looks_like_study(std::string_view text) {
   return is_study(parse(text));
-}
-
-std::string file_stem(const std::string& name) {
-  std::string stem;
-  for (const char c : name) {
-    if (std::isalnum(static_cast<unsigned char>(c)))
-      stem += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    else if (!stem.empty() && stem.back() != '-')
-      stem += '-';
-  }
-  while (stem.ends_with('-')) stem.pop_back();
-  return stem.empty() ? "study" : stem;
 }
 
 }  // namespace pf::app

@@ -32,7 +32,4 @@ std::vector<LibraryEntry> earlier_studies(const std::filesystem::path& root, std
 /// Does this JSON text claim to be a study file?
 bool looks_like_study(std::string_view text);
 
-/// "Speed against accuracy, two blocks" -> "speed-against-accuracy-two-blocks", for files.
-std::string file_stem(const std::string& name);
-
 }  // namespace pf::app

@@ -7,6 +7,8 @@ namespace pf::app {
 
 /// A study of the scene as edited, set up and begun; or one opened.
 void draw_set_up_page(AppContext& context, StudyDesk& desk);
+/// Asks where to, then writes the study file; `name` proposes the file's.
+void ask_save_study(AppContext& context, const std::string& name, std::string text);
 /// What is varied: a row for each setting with its values.
 void draw_axes(AppContext& context, StudyDesk& desk);
 /// The button "Open…" and its list of shipped and earlier ones.

@@ -52,23 +52,6 @@ std::string progress_words(const StudyStatus& s) {
   }
 }
 
-void save_study(AppContext& context, const StudyResults& results) {
-  if (!context.ask_file) return;
-  FileDialog::Request request;
-  request.purpose = FileDialog::Purpose::save;
-  request.title = "Save study";
-  request.start = file_stem(results.study->name) + ".json";
-  request.done = [&context, text = results.text](const std::filesystem::path& file) {
-    try {
-      write_atomically(file, text);
-      context.notify("Saved " + file.string());
-    } catch (const FileError& error) {
-      context.notify(error.what());
-    }
-  };
-  context.ask_file(std::move(request));
-}
-
 /// What is done rarely.
 void draw_more(AppContext& context, StudyDesk& desk) {
   if (flow_button("More…", false)) ImGui::OpenPopup("more");
@@ -76,7 +59,8 @@ void draw_more(AppContext& context, StudyDesk& desk) {
   if (ImGui::BeginPopup("more")) {
     const bool any = desk.results != nullptr;
     if (ImGui::MenuItem("Run all again", nullptr, false, any && !desk.status.active())) desk.runner.begin(true);
-    if (ImGui::MenuItem("Save study as…", nullptr, false, any)) save_study(context, *desk.results);
+    if (ImGui::MenuItem("Save study as…", nullptr, false, any))
+      ask_save_study(context, desk.results->study->name, desk.results->text);
     if (ImGui::MenuItem("Copy the path of the results", nullptr, false, any && !desk.results->folder.empty()))
       ImGui::SetClipboardText(desk.results->folder.c_str());
     if (any) tooltip(desk.results->folder.string());

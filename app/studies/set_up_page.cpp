@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/panels/memory.hpp"
+#include "app/preferences.hpp"
 #include "app/studies/describe.hpp"
 #include "app/studies/pages.hpp"
 #include "app/theme.hpp"
@@ -148,24 +149,6 @@ std::string effort(const AppContext& context, const StudyDraft& draft) {
   return text;
 }
 
-void save_draft(AppContext& context, const StudyDesk& desk) {
-  if (!context.ask_file) return;
-  FileDialog::Request request;
-  request.purpose = FileDialog::Purpose::save;
-  request.title = "Save study";
-  request.start = file_stem(context.scene.name) + "-study.json";
-  const std::string text = study_text(desk.draft, context.scene);
-  request.done = [&context, text](const std::filesystem::path& file) {
-    try {
-      write_atomically(file, text);
-      context.notify("Saved " + file.string());
-    } catch (const FileError& error) {
-      context.notify(error.what());
-    }
-  };
-  context.ask_file(std::move(request));
-}
-
 void draw_start(AppContext& context, StudyDesk& desk) {
   const std::string problem = draft_problem(desk.draft, context.scene);
   if (!problem.empty())
@@ -178,7 +161,8 @@ void draw_start(AppContext& context, StudyDesk& desk) {
   pop_accent_button();
   tooltip(desk.draft.cost == "wall" ? "Runs are timed: the live view stands still meanwhile."
                                     : "Runs beside the live view.");
-  if (flow_button("Save as…", false)) save_draft(context, desk);
+  if (flow_button("Save as…", false))
+    ask_save_study(context, context.scene.name + " study", study_text(desk.draft, context.scene));
   tooltip("Writes this study, its scene inside, for pushforward study or for later.");
   ImGui::EndDisabled();
   if (desk.results || desk.status.active()) {
@@ -209,6 +193,23 @@ void column(const char* id, float width, const std::function<void()>& content) {
 }
 
 }  // namespace
+
+void ask_save_study(AppContext& context, const std::string& name, std::string text) {
+  if (!context.ask_file) return;
+  FileDialog::Request request;
+  request.purpose = FileDialog::Purpose::save;
+  request.title = "Save study";
+  request.start = file_stem(name, "study") + ".json";
+  request.done = [&context, text = std::move(text)](const std::filesystem::path& file) {
+    try {
+      write_atomically(file, text);
+      context.notify("Saved " + file.string());
+    } catch (const FileError& error) {
+      context.notify(error.what());
+    }
+  };
+  context.ask_file(std::move(request));
+}
 
 void draw_set_up_page(AppContext& context, StudyDesk& desk) {
   follow_scene(context, desk);

@@ -9,6 +9,7 @@
 #include "core/build_info.hpp"
 #include "core/files.hpp"
 #include "core/scene/scene_io.hpp"
+#include "core/work_weights.hpp"
 
 namespace pf {
 
@@ -64,16 +65,9 @@ ordered_json phases(const PhaseTimes& ms) {
 }
 
 ordered_json visits(const Work& work) {
-  return {{"p2g", work.p2g},
-          {"g2p", work.g2p},
-          {"energy", work.energy},
-          {"gradient", work.gradient},
-          {"tangent", work.tangent},
-          {"hessian_product", work.hessian_product},
-          {"diagonal", work.diagonal},
-          {"assembly", work.assembly},
-          {"solver_operations", work.solver_operations},
-          {"stencil_operations", work.stencil_operations}};
+  ordered_json json;
+  for (const KernelWeight& kernel : kernel_weights()) json[std::string(kernel.kernel)] = work.*kernel.visits;
+  return json;
 }
 
 const char* name(RunEnd end) {
@@ -113,10 +107,7 @@ void RunTotals::add(const StepReport& report) {
   for (const auto phase : {&PhaseTimes::sort, &PhaseTimes::transfer, &PhaseTimes::assemble, &PhaseTimes::linear_solve,
                            &PhaseTimes::line_search, &PhaseTimes::update, &PhaseTimes::diagnostics, &PhaseTimes::total})
     ms.*phase += report.ms.*phase;
-  for (const auto kernel :
-       {&Work::p2g, &Work::g2p, &Work::energy, &Work::gradient, &Work::tangent, &Work::hessian_product, &Work::diagonal,
-        &Work::assembly, &Work::solver_operations, &Work::stencil_operations})
-    work.*kernel += report.work.*kernel;
+  work += report.work;
   min_J = std::min(min_J, report.min_J);
   max_J = std::max(max_J, report.max_J);
   for (const std::string& warning : report.warnings) ++warnings[warning];

@@ -137,7 +137,7 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
   std::optional<GrabSpring<D>> spring;
   if (grab_) spring.emplace(plan_, particles_, held_, Vec<D>(grab_->to.head<D>()), grab_stiffness_);
   const bool adaptive = control_->adaptive();
-  if (!linear_ || choice.implicit || !adaptive) choose_solver(adaptive ? dt : scene_.time.step);
+  if (!linear_ || choice.implicit) choose_solver(adaptive ? dt : scene_.time.step);
   linear_->new_step();
   lap(report.ms.assemble);
   const NewtonSettings newton{scene_.solver.newton_tolerance, scene_.solver.max_newton};
@@ -157,14 +157,13 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
     if (const auto instead = control_->judge(outcome, time_, end_, report.control.given_up))
       return {Attempt::inexact, "", *instead};
   // Angular momentum by cause: what the two transfers change, and what the step on the grid does (THEORY T6).
-  Vector momentum;
-  M.multiply(grid_.v, momentum);
-  const Vec3 L_before = grid_angular_momentum(plan_, Vector::Zero(grid_.u.size()), momentum);
-  M.multiply(grid_.v_end, momentum);
-  const Vec3 L_after = grid_angular_momentum(plan_, grid_.u, momentum);
+  Vector before, after;
+  M.multiply(grid_.v, before);
+  M.multiply(grid_.v_end, after);
+  const Vec3 L_before = grid_angular_momentum(plan_, Vector::Zero(grid_.u.size()), before);
+  const Vec3 L_after = grid_angular_momentum(plan_, grid_.u, after);
   // The step's forces are M (v_end - v) / dt and act at the scheme's stage, where the inner ones have no torque.
-  M.multiply(grid_.v_end - grid_.v, momentum);
-  report.angular.outside = grid_angular_momentum<D>(plan_, integrator.stage() * grid_.u, momentum);
+  report.angular.outside = grid_angular_momentum<D>(plan_, integrator.stage() * grid_.u, after - before);
   report.angular.time_integration = L_after - L_before - report.angular.outside;
   report.grab_force = spring ? spring->force(grid_.u).norm() : 0;
   lap(report.ms.diagnostics);

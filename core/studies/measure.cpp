@@ -36,11 +36,7 @@ class Meter final : public RunObserver {
     row.newton_iterations += static_cast<double>(report.newton.size());
     row.linear_iterations += report.linear_iterations;
     row.retries += report.retries;
-    const Work& w = report.work;
-    work.p2g += w.p2g, work.g2p += w.g2p, work.energy += w.energy, work.gradient += w.gradient;
-    work.tangent += w.tangent, work.hessian_product += w.hessian_product, work.diagonal += w.diagonal;
-    work.assembly += w.assembly, work.solver_operations += w.solver_operations;
-    work.stencil_operations += w.stencil_operations;
+    work += report.work;
   }
   /// What was counted, as columns.
   void fill(StudyRow& to, int dimension, int nodes_per_axis) const {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/preferences.hpp"
 #include "app/studies/library.hpp"
 
 using namespace pf;
@@ -63,6 +64,6 @@ TEST_CASE("every setting has values to propose, each within its range") {
 }
 
 TEST_CASE("names of studies make names of files") {
-  CHECK(file_stem("Speed against accuracy, Two blocks") == "speed-against-accuracy-two-blocks");
-  CHECK(file_stem("…") == "study");
+  CHECK(file_stem("Speed against accuracy, Two blocks", "study") == "speed-against-accuracy-two-blocks");
+  CHECK(file_stem("…", "study") == "study");
 }
