@@ -24,6 +24,9 @@ constexpr std::size_t solver_history = 200;
 
 constexpr std::chrono::milliseconds longest_rest{100};
 
+/// Where the processor draws, a scene that is being built has it for so long, once the window says that it is.
+constexpr std::chrono::milliseconds building_time{150};
+
 /// A part of the window, filled by `content`.
 template <typename Content>
 void part(const char* name, const Rect& where, ImVec2 padding, int flags, const Content& content) {
@@ -98,12 +101,13 @@ void Workbench::remember_file(const std::filesystem::path& file) {
 }
 
 double Workbench::patience(double longest) const {
-  if (settle_ > 0) return 0;
-  double seconds = longest;
+  const double held = std::chrono::duration<double>(held_until_ - Clock::now()).count();
+  if (settle_ > 0 && held <= 0) return 0;
+  double seconds = held > 0 ? std::min(longest, held) : longest;
   if (notices_.any() || context_.status.step_in_flight) seconds = std::min(seconds, 0.2);
   if (ImGui::GetIO().WantTextInput) seconds = std::min(seconds, 0.25);  // the cursor blinks
   if (view_) seconds = std::min(seconds, view_->refines_in().value_or(seconds));
-  if (news_to_show_)
+  if (news_to_show_ && held <= 0)
     seconds = std::clamp(std::chrono::duration<double>(rest_until_ - Clock::now()).count(), 0.0, seconds);
   return seconds;
 }
@@ -135,8 +139,11 @@ bool Workbench::turn(double longest) {
   const bool timed = notices_.expire() || ImGui::GetIO().WantTextInput || refine;
   if (study_news_.exchange(false)) follow_studies();
   news_to_show_ |= changed || !same_news(before, context_.status);
+  const bool loading = context_.status.state == RunState::loading;
+  if (!loading) held_until_ = {};
+  if (!loading && loading_shown_) rest_until_ = {};  // the new picture has been waited for
   if (timed || (news_to_show_ && Clock::now() >= rest_until_)) settle_ = std::max(settle_, 1);
-  if (settle_ > 0 && !leaving_) {
+  if (settle_ > 0 && Clock::now() >= held_until_ && !leaving_) {
     --settle_;
     news_to_show_ = false;
     const auto begin = Clock::now();
@@ -145,6 +152,8 @@ bool Workbench::turn(double longest) {
     // Where the processor draws, the simulation shall have at least half of its time.
     const auto end = Clock::now();
     rest_until_ = view_->software() ? end + std::min<Clock::duration>(end - begin, longest_rest) : end;
+    if (view_->software() && loading && !loading_shown_) held_until_ = begin + building_time;
+    loading_shown_ = loading;
   }
   return !leaving_;
 }

@@ -89,7 +89,9 @@ std::filesystem::path free_file(const std::filesystem::path& folder, const std::
                                 const std::string& extension) {
   std::error_code error;
   for (int k = 1;; ++k) {
-    std::filesystem::path file = folder / (stem + (k > 1 ? "-" + std::to_string(k) : "") + extension);
+    std::string name = stem;
+    if (k > 1) name.append("-").append(std::to_string(k));
+    std::filesystem::path file = folder / name.append(extension);
     if (!std::filesystem::exists(file, error)) return file;
   }
 }

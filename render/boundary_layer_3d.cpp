@@ -113,7 +113,7 @@ void BoundaryLayer3D::draw_plane(const Frame& frame, const Shadow& shadow, const
     const double q = axis.dot(middle) / (5 * pitch);
     return 5 * (q - std::floor(q));
   };
-  Program& p = plane_program_;
+  Program& p = plane_program_.form(shadow.on);
   p.use();
   p.set("u_view_projection", frame.view_projection);
   p.set("u_point", to_glm(middle - frame.origin));
@@ -136,28 +136,30 @@ void BoundaryLayer3D::draw_solids(const Frame& frame, const Shadow& shadow, cons
       draw_plane(frame, shadow, body, {solid.plane->point + shift, solid.plane->normal});
       continue;
     }
-    mesh_program_.use();
-    mesh_program_.set("u_view_projection", frame.view_projection);
-    mesh_program_.set("u_offset", to_glm(solid.centre + shift - frame.origin));
-    mesh_program_.set("u_eye", to_glm(camera.eye() - frame.origin));
-    mesh_program_.set("u_fill", rgb(frame.theme().solid_3d));
-    mesh_program_.set("u_body_depth", 1);
-    mesh_program_.set("u_veil", 0.3f);
-    mesh_program_.set("u_casting", false);
-    shadow.set(mesh_program_);
+    Program& mesh = mesh_program_.form(shadow.on);
+    mesh.use();
+    mesh.set("u_view_projection", frame.view_projection);
+    mesh.set("u_offset", to_glm(solid.centre + shift - frame.origin));
+    mesh.set("u_eye", to_glm(camera.eye() - frame.origin));
+    mesh.set("u_fill", rgb(frame.theme().solid_3d));
+    mesh.set("u_body_depth", 1);
+    mesh.set("u_veil", 0.3f);
+    mesh.set("u_casting", false);
+    shadow.set(mesh);
     solid.mesh.draw_vertices(GL_TRIANGLES);
   }
 }
 
 void BoundaryLayer3D::draw_shadow(const Frame& frame, const glm::mat4& view_projection) {
-  mesh_program_.use();
-  mesh_program_.set("u_view_projection", view_projection);
-  mesh_program_.set("u_casting", true);
+  Program& mesh = mesh_program_.form(false);
+  mesh.use();
+  mesh.set("u_view_projection", view_projection);
+  mesh.set("u_casting", true);
   for (const Solid& solid : solids_) {
     // Containers would darken everything that they hold.
     if (solid.plane || solid.container) continue;
     const Vec3 shift = displacement(frame.snapshot, solid.boundary);
-    mesh_program_.set("u_offset", to_glm(solid.centre + shift - frame.origin));
+    mesh.set("u_offset", to_glm(solid.centre + shift - frame.origin));
     solid.mesh.draw_vertices(GL_TRIANGLES);
   }
 }

@@ -33,7 +33,7 @@ class BoundaryLayer3D {
     Vec3 centre;  ///< that the mesh's coordinates are relative to
     gl::Batch mesh;
   };
-  Program plane_program_{"ground3d"}, mesh_program_{"mesh3d"};
+  ReceiverProgram plane_program_{"ground3d"}, mesh_program_{"mesh3d"};
   gl::FullScreen square_;
   std::vector<Solid> solids_;
   Ink regions_;

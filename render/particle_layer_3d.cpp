@@ -31,7 +31,7 @@ constexpr float unit_ball = 0.6203505f;
 }  // namespace
 
 void Shadow::set(Program& program) const {
-  program.set("u_shadows", on);
+  if (!on) return;
   program.set("u_to_shadow", to_map);
   program.set("u_softness", softness);
   program.set("u_shadow_map", 2);
@@ -84,14 +84,15 @@ void ParticleLayer3D::prepare(const Frame& frame) {
   key_ = key;
 }
 
-void ParticleLayer3D::set_common(const Frame& frame, const glm::mat4& view, const glm::mat4& projection) {
-  balls_.use();
-  balls_.set("u_view", view);
-  balls_.set("u_projection", projection);
-  balls_.set("u_offset", anchor_.offset(frame));
-  balls_.set("u_round", !frame.options.deformed);
-  balls_.set("u_map", 0);
-  balls_.set("u_shadow_map", 2);
+Program& ParticleLayer3D::balls(const Frame& frame, const glm::mat4& view, const glm::mat4& projection, bool shadows) {
+  Program& balls = balls_.form(shadows);
+  balls.use();
+  balls.set("u_view", view);
+  balls.set("u_projection", projection);
+  balls.set("u_offset", anchor_.offset(frame));
+  balls.set("u_round", !frame.options.deformed);
+  balls.set("u_map", 0);
+  return balls;
 }
 
 void ParticleLayer3D::draw(const Frame& frame, const glm::mat4& view, const glm::mat4& projection, const Shadow& shadow,
@@ -114,17 +115,15 @@ void ParticleLayer3D::draw(const Frame& frame, const glm::mat4& view, const glm:
     glDisable(GL_PROGRAM_POINT_SIZE);
     return;
   }
-  set_common(frame, view, projection);
-  balls_.set("u_orthographic", false);
-  balls_.set("u_range", range);
-  shadow.set(balls_);
+  Program& program = balls(frame, view, projection, shadow.on);
+  program.set("u_orthographic", false);
+  program.set("u_range", range);
+  shadow.set(program);
   ball_data_.draw_quads();
 }
 
 void ParticleLayer3D::draw_shadow(const Frame& frame, const glm::mat4& view, const glm::mat4& projection) {
-  set_common(frame, view, projection);
-  balls_.set("u_orthographic", true);
-  balls_.set("u_shadows", false);
+  balls(frame, view, projection, false).set("u_orthographic", true);
   ball_data_.draw_quads();
 }
 

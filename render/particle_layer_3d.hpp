@@ -33,9 +33,11 @@ class ParticleLayer3D {
 
  private:
   void upload(const Frame& frame);
-  void set_common(const Frame& frame, const glm::mat4& view, const glm::mat4& projection);
+  /// The program for balls, in use, with what every use of it sets.
+  Program& balls(const Frame& frame, const glm::mat4& view, const glm::mat4& projection, bool shadows);
 
-  Program balls_{"ellipsoid3d"}, points_{"points"};
+  ReceiverProgram balls_{"ellipsoid3d"};
+  Program points_{"points"};
   gl::Batch ball_data_, point_data_;
   Ink marks_;
   Anchor anchor_;

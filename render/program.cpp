@@ -7,9 +7,10 @@ namespace pf {
 
 namespace {
 
-GLuint compile(GLenum stage, std::string_view name) {
+GLuint compile(GLenum stage, std::string_view name, std::string_view form) {
   const std::string head = std::string("#version 330 core\n#define ") +
                            (stage == GL_VERTEX_SHADER ? "VERTEX\n" : "FRAGMENT\n") +
+                           (form.empty() ? std::string() : "#define " + std::string(form) + "\n") +
                            std::string(shader_source("common")) + "\n#line 1\n";
   const std::string_view body = shader_source(name);
   if (body.empty()) throw std::runtime_error("There is no shader " + std::string(name));
@@ -29,9 +30,9 @@ GLuint compile(GLenum stage, std::string_view name) {
 
 }  // namespace
 
-Program::Program(std::string_view name) {
-  const GLuint vertex = compile(GL_VERTEX_SHADER, name);
-  const GLuint fragment = compile(GL_FRAGMENT_SHADER, name);
+Program::Program(std::string_view name, std::string_view form) {
+  const GLuint vertex = compile(GL_VERTEX_SHADER, name, form);
+  const GLuint fragment = compile(GL_FRAGMENT_SHADER, name, form);
   name_ = glCreateProgram();
   glAttachShader(name_, vertex);
   glAttachShader(name_, fragment);
@@ -49,6 +50,12 @@ Program::Program(std::string_view name) {
 
 Program::~Program() {
   glDeleteProgram(name_);
+}
+
+Program& ReceiverProgram::form(bool shadows) {
+  std::unique_ptr<Program>& program = forms_[shadows ? 1 : 0];
+  if (!program) program = std::make_unique<Program>(name_, shadows ? "SHADOWS" : "");
+  return *program;
 }
 
 void Program::use() const {

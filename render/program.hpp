@@ -3,8 +3,10 @@
 
 #include <epoxy/gl.h>
 
+#include <array>
 #include <glm/glm.hpp>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -15,11 +17,11 @@ namespace pf {
 /// Text of shaders/`name`.glsl, built in; empty when there is no such shader.
 std::string_view shader_source(std::string_view name);
 
-/// One file holds both stages, between #ifdef VERTEX and #ifdef FRAGMENT; shaders/common.glsl comes before it.
-/// Throws std::runtime_error with the compiler's message.
+/// One file holds both stages, between #ifdef VERTEX and #ifdef FRAGMENT; shaders/common.glsl comes before it, and
+/// before that #define `form`, if any. Throws std::runtime_error with the compiler's message.
 class Program {
  public:
-  explicit Program(std::string_view name);
+  explicit Program(std::string_view name, std::string_view form = {});
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
@@ -39,6 +41,18 @@ class Program {
   GLint location(const char* uniform);
   GLuint name_ = 0;
   std::map<std::string, GLint, std::less<>> locations_;
+};
+
+/// A shader that may receive a shadow, in its two forms; each is made when it is first asked for. One form that asks a
+/// uniform would do for a graphics card, but a software renderer works out either side of every question.
+class ReceiverProgram {
+ public:
+  explicit ReceiverProgram(std::string_view name) : name_(name) {}
+  Program& form(bool shadows);
+
+ private:
+  std::string name_;
+  std::array<std::unique_ptr<Program>, 2> forms_;
 };
 
 inline glm::vec3 rgb(const Color& c) {

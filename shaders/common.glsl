@@ -18,17 +18,24 @@ float dither(vec2 pixel) { return fract(52.9829189 * fract(dot(pixel, vec2(0.067
 const vec3 LIGHT = vec3(-0.362, 0.805, 0.470);
 
 // Share of the light that reaches p: soft, from a disc of samples turned anew in every pixel.
-float reached(sampler2DShadow map, mat4 to_map, vec3 p, float softness, vec2 pixel) {
-  vec4 q = to_map * vec4(p, 1.0);
+#ifdef SHADOWS
+uniform sampler2DShadow u_shadow_map;
+uniform mat4 u_to_shadow;
+uniform float u_softness;
+float reached(vec3 p, vec2 pixel) {
+  vec4 q = u_to_shadow * vec4(p, 1.0);
   if (any(lessThan(q.xyz, vec3(0.0))) || any(greaterThan(q.xyz, vec3(1.0)))) return 1.0;
   const int taps = 16;
   float turn = (dither(pixel) + 0.5) * 2.0 * PI, sum = 0.0;
   for (int k = 0; k < taps; ++k) {
-    float r = softness * sqrt((float(k) + 0.5) / float(taps)), a = turn + 2.39996323 * float(k);
-    sum += texture(map, vec3(q.xy + r * vec2(cos(a), sin(a)), q.z));
+    float r = u_softness * sqrt((float(k) + 0.5) / float(taps)), a = turn + 2.39996323 * float(k);
+    sum += texture(u_shadow_map, vec3(q.xy + r * vec2(cos(a), sin(a)), q.z));
   }
   return sum / float(taps);
 }
+#else
+float reached(vec3 p, vec2 pixel) { return 1.0; }
+#endif
 
 // sRGB colour of a matt surface: sky light from above, a key light, a faint gloss. `n` and `to_eye` in world axes.
 vec3 shaded(vec3 base, vec3 n, vec3 to_eye, float key) {

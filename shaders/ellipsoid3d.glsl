@@ -45,10 +45,6 @@ void main() {
 #ifdef FRAGMENT
 uniform sampler2D u_map;
 uniform vec2 u_range;
-uniform bool u_shadows;
-uniform sampler2DShadow u_shadow_map;
-uniform mat4 u_to_shadow;
-uniform float u_softness;
 in vec3 v_eye;
 flat in mat3 v_inverse;
 flat in vec3 v_centre;
@@ -70,7 +66,7 @@ void main() {
   vec3 n = to_world * normalize(transpose(v_inverse) * (o + t * d));
   vec3 to_eye = to_world * normalize(-hit);
   vec3 p = to_world * (hit - vec3(u_view[3]));
-  float key = u_shadows ? reached(u_shadow_map, u_to_shadow, p, u_softness, gl_FragCoord.xy) : 1.0;
+  float key = reached(p, gl_FragCoord.xy);
   out_color = vec4(shaded(mapped(u_map, v_value, u_range), n, to_eye, key), 1.0);
 }
 #endif

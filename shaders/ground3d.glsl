@@ -16,10 +16,6 @@ void main() {
 
 #ifdef FRAGMENT
 uniform vec3 u_fill, u_line;
-uniform bool u_shadows;
-uniform sampler2DShadow u_shadow_map;
-uniform mat4 u_to_shadow;
-uniform float u_softness;
 in vec2 v_q;
 out vec4 out_color;
 
@@ -35,10 +31,8 @@ void main() {
   float fade = 1.0 - smoothstep(0.25, 1.0, length(v_q));
   float line = max(0.5 * lines(q, width), lines(q / 5.0, width / 5.0));
   vec3 color = mix(u_fill, u_line, line);
-  if (u_shadows) {
-    vec3 p = u_point + u_reach * (v_q.x * u_tangent + v_q.y * u_bitangent);
-    color *= mix(0.52, 1.0, reached(u_shadow_map, u_to_shadow, p, u_softness, gl_FragCoord.xy));
-  }
+  vec3 p = u_point + u_reach * (v_q.x * u_tangent + v_q.y * u_bitangent);
+  color *= mix(0.52, 1.0, reached(p, gl_FragCoord.xy));
   out_color = vec4(color, fade);
 }
 #endif

@@ -19,10 +19,6 @@ void main() {
 #ifdef FRAGMENT
 uniform vec3 u_fill;
 uniform sampler2D u_body_depth;
-uniform bool u_shadows;
-uniform sampler2DShadow u_shadow_map;
-uniform mat4 u_to_shadow;
-uniform float u_softness;
 uniform float u_veil;  // opacity over the body
 uniform bool u_casting;  // into the shadow map
 in vec3 v_p;
@@ -32,7 +28,7 @@ void main() {
   if (u_casting) { out_color = vec4(1.0); return; }
   vec3 n = normalize(v_normal), to_eye = normalize(u_eye - v_p);
   if (dot(n, to_eye) < 0.0) discard;
-  float key = u_shadows ? reached(u_shadow_map, u_to_shadow, v_p, u_softness, gl_FragCoord.xy) : 1.0;
+  float key = reached(v_p, gl_FragCoord.xy);
   bool over_body = texelFetch(u_body_depth, ivec2(gl_FragCoord.xy), 0).r < 1.0;
   vec3 color = shaded(u_fill, n, to_eye, key);
   float rim = pow(1.0 - dot(n, to_eye), 3.0);

@@ -51,10 +51,10 @@ double fma_rate(int threads) {
       const Wide<8> factor = Wide<8>{} + (1 - 1e-9), term = Wide<8>{} + 1e-9;
       for (int i = 0; i < length; ++i) {
 #pragma GCC unroll 24
-        for (int k = 0; k < chains; ++k) x[k] = x[k] * factor + term;
+        for (Wide<8>& chain : x) chain = chain * factor + term;
       }
       Wide<8> sum{};
-      for (int k = 0; k < chains; ++k) sum += x[k];
+      for (const Wide<8>& chain : x) sum += chain;
       kept[static_cast<std::size_t>(t) * 8] = sum_lanes(sum);
     });
   };

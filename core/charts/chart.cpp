@@ -75,6 +75,7 @@ std::vector<PointId> pareto_front(const Chart& chart) {
     }
   }
   std::vector<Candidate> all;
+  all.reserve(candidates.size());
   for (const PointId p : candidates) all.push_back(candidate(chart.series[p.series], p));
   std::ranges::stable_sort(all, [](const Candidate& a, const Candidate& b) {
     return a.x.value != b.x.value ? a.x.value < b.x.value : a.y.value < b.y.value;

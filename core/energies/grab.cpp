@@ -19,7 +19,7 @@ GrabSpring<D>::GrabSpring(const Plan<D>& plan, const Particles<D>& particles, co
     for (int i = block.batch_begin; i < block.batch_end; ++i) {
       const Batch& batch = plan.batches()[static_cast<std::size_t>(i)];
       for (int lane = 0; lane < batch.count; ++lane) {
-        const auto p = static_cast<std::size_t>(batch.first + lane);
+        const auto p = static_cast<std::size_t>(batch.first) + static_cast<std::size_t>(lane);
         const auto found = weight.find(particles.id[p]);
         if (found == weight.end()) continue;
         start_ += found->second * particles.x[p];

@@ -306,7 +306,7 @@ __attribute__((noinline)) Lane in_cells(const Lane& x, double inverse) {
 template <int D>
 void Plan<D>::compute_weights(const Particles<D>& particles, Parallel& parallel) {
   const int K = nodes_per_axis(), edge = block_edge + K - 1;
-  const std::size_t stride = static_cast<std::size_t>(2 * D * K);
+  const std::size_t stride = 2 * D * static_cast<std::size_t>(K);
   weights_.resize(batches_.size() * stride);
   const double inverse = 1 / spacing_;
   parallel(static_cast<int>(blocks_.size()), [&](int b) {

@@ -16,8 +16,8 @@ constexpr std::size_t batch_width = 64;  ///< values that one instruction handle
 /// Room for the saved values and the stack above them; none is made before it is needed.
 template <class T>
 union Slots {
-  Slots() {}
-  ~Slots() {}
+  Slots() {}   // NOLINT(modernize-use-equals-default): that of a union would be deleted
+  ~Slots() {}  // NOLINT(modernize-use-equals-default)
   T at[max_saved + max_stack];
 };
 

@@ -111,6 +111,7 @@ auto with_unary(const Instruction& instruction, Visit&& visit) {
     case Op::logical_not:
       return visit([](const auto& a) { return truth(a) ? 0.0 : 1.0; });
     case Op::power_integer:
+      if (instruction.index == 2) return visit([](const auto& a) { return a * a; });
       return visit([n = instruction.index](const auto& a) { return integer_power(a, n); });
     case Op::sin:
       return visit([](const auto& a) { return sin(a); });

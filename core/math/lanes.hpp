@@ -11,7 +11,7 @@ namespace pf {
 
 /// Eight doubles; element-wise + - * / and comparisons come with the compiler (GCC and clang vector
 /// extensions).
-typedef double Pack __attribute__((vector_size(64)));
+using Pack = double __attribute__((vector_size(64)));
 
 /// What is needed to write a formula once: the number of lanes, the integers of the same shape.
 template <class T>
@@ -25,8 +25,8 @@ struct Lanes<double> {
 template <>
 struct Lanes<Pack> {
   static constexpr int count = 8;
-  typedef std::uint64_t Bits __attribute__((vector_size(64)));
-  typedef std::int64_t Mask __attribute__((vector_size(64)));  ///< of a comparison: -1 true, 0 false
+  using Bits = std::uint64_t __attribute__((vector_size(64)));
+  using Mask = std::int64_t __attribute__((vector_size(64)));  ///< of a comparison: -1 true, 0 false
 };
 /// `condition ? a : b`, lane by lane; both sides are evaluated.
 template <class T>

@@ -101,8 +101,8 @@ void StencilLayout<D>::build(std::vector<LatticeRun> pieces, int reach) {
   row_of_slot_.assign(static_cast<std::size_t>(slots_), -1);
   for (const LatticeRun& run : runs_)
     for (std::int32_t i = 0; i < run.end - run.begin; ++i) {
-      slot_[static_cast<std::size_t>(run.row + i)] = run.slot + i;
-      row_of_slot_[static_cast<std::size_t>(run.slot + i)] = run.row + i;
+      slot_[static_cast<std::size_t>(run.row) + static_cast<std::size_t>(i)] = run.slot + i;
+      row_of_slot_[static_cast<std::size_t>(run.slot) + static_cast<std::size_t>(i)] = run.row + i;
     }
   make_chunks();
   make_windows();

@@ -197,7 +197,8 @@ void compare_probes(const fs::path& a, const fs::path& b, Comparison& result) {
         parts[column.size() == 1 ? "position" : column[0] == 'v' ? "velocity" : "stress"].push_back(column);
     for (const auto& [part, columns] : parts) {
       const Track one = track_of(table, columns), two = track_of(other->second, columns);
-      FieldDifference field = difference_of("probes.csv", name + " " + part, one, two, ignored);
+      const std::string title = std::string(name).append(" ").append(part);
+      FieldDifference field = difference_of("probes.csv", title, one, two, ignored);
       if (part == "position") field.scale = std::max(largest_motion(one), largest_motion(two));
       result.fields.push_back(std::move(field));
     }

@@ -83,8 +83,9 @@ bool apply_edit(Json& document, const std::string& pointer, Json value, std::vec
       if (!last && !at->contains(step)) (*at)[step] = missing_member(key, dimension, (*steps)[k + 1]);
       at = &(*at)[step];
     } else {
-      return refuse(describe(*at) + " at " + changed + ", where \"" + step + "\" is to be set",
-                    "pointers to what the scene holds");
+      return refuse(
+          describe(*at).append(" at ").append(changed).append(", where \"").append(step).append("\" is to be set"),
+          "pointers to what the scene holds");
     }
     place = below;
   }

@@ -121,8 +121,8 @@ Edit parse_set(std::string_view argument) {
   Edit edit{std::string(argument.substr(0, equals)), std::string(value)};
   std::vector<Problem> problems;
   try {
-    Json json = read_json(value, problems);
-    if (problems.empty()) edit.value = nlohmann::json(std::move(json));
+    const Json json = read_json(value, problems);
+    if (problems.empty()) edit.value = nlohmann::json(json);
   } catch (const InputError&) {
     // Text that is not JSON is a string.
   }

@@ -57,7 +57,7 @@ template <int D, class First>
 void connect_lines(const StencilLayout<D>& from, const StencilLayout<D>& to, int count, First&& first,
                    std::vector<std::int32_t>& slots) {
   const int lines = power(count, D - 1);
-  slots.resize(static_cast<std::size_t>(from.rows() * lines));
+  slots.resize(static_cast<std::size_t>(from.rows()) * static_cast<std::size_t>(lines));
   std::vector<std::size_t> hint(static_cast<std::size_t>(lines), 0);
   for (const LatticeRun& run : from.runs())
     for (std::int32_t x = run.begin; x < run.end; ++x) {
@@ -66,8 +66,8 @@ void connect_lines(const StencilLayout<D>& from, const StencilLayout<D>& to, int
         LatticePoint<D> p{first(at[0])};
         for (int k = 1, rest = n; k < D; ++k, rest /= count)
           p[static_cast<std::size_t>(k)] = first(at[static_cast<std::size_t>(k)]) + rest % count;
-        slots[static_cast<std::size_t>((run.row + x - run.begin) * lines + n)] =
-            to.window(p, count, hint[static_cast<std::size_t>(n)]);
+        slots[static_cast<std::size_t>(run.row + x - run.begin) * static_cast<std::size_t>(lines) +
+              static_cast<std::size_t>(n)] = to.window(p, count, hint[static_cast<std::size_t>(n)]);
       }
     }
 }
@@ -267,7 +267,8 @@ void MultigridLevel<D>::restrict_to(MultigridLevel& coarse, Parallel& parallel) 
     for_rows(coarse.layout, parallel, [&](int row, const LatticePoint<D>&) {
       float sum[D] = {};
       for (int n = 0; n < lines; ++n) {
-        const std::int32_t slot = children_[static_cast<std::size_t>(row * lines + n)];
+        const std::int32_t slot =
+            children_[static_cast<std::size_t>(row) * static_cast<std::size_t>(lines) + static_cast<std::size_t>(n)];
         if (slot < 0) continue;
         const float* const from = rest_.data() + static_cast<Index>(slot) * D;
         const float outer = w[static_cast<std::size_t>(n % C)] * (D == 3 ? w[static_cast<std::size_t>(n / C)] : 1);
@@ -288,7 +289,8 @@ void MultigridLevel<D>::prolong_from(const MultigridLevel& coarse, Parallel& par
       for (std::size_t k = 0; k < D; ++k)
         for (int p = 0; p < P; ++p) part[k][p] = part_in<R>(at[k], first_parent<R>(at[k]) + p);
       for (int n = 0; n < lines; ++n) {
-        const std::int32_t slot = parents_[static_cast<std::size_t>(row * lines + n)];
+        const std::int32_t slot =
+            parents_[static_cast<std::size_t>(row) * static_cast<std::size_t>(lines) + static_cast<std::size_t>(n)];
         if (slot < 0) continue;
         const float* const from = coarse.x.data() + static_cast<Index>(slot) * D;
         const float outer = part[1][n % P] * (D == 3 ? part[D - 1][n / P] : 1);

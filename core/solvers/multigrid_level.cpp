@@ -91,7 +91,7 @@ inline void relax(const MultigridLevel<D>& level, int i, float* x, float* rest) 
 template <class Chunks, class Body>
 void for_chunks(Parallel& parallel, const Chunks& chunks, int parity, Body&& body) {
   const int count = (static_cast<int>(chunks.size()) + 1 - parity) / 2;
-  parallel(count, [&](int k) { body(chunks[static_cast<std::size_t>(2 * k + parity)]); });
+  parallel(count, [&](int k) { body(chunks[2 * static_cast<std::size_t>(k) + static_cast<std::size_t>(parity)]); });
 }
 
 void fill_zero(Parallel& parallel, Floats& v) {

@@ -15,8 +15,8 @@ template <int D>
 Vec<D> FormulaField<D>::operator()(const Vec<D>& X, const Vec<D>& x, double t) const {
   std::array<double, variable_count> v{};
   for (int a = 0; a < D; ++a) {
-    v[static_cast<std::size_t>(var_X + a)] = X[a];
-    v[static_cast<std::size_t>(var_x + a)] = x[a];
+    v[var_X + static_cast<std::size_t>(a)] = X[a];
+    v[var_x + static_cast<std::size_t>(a)] = x[a];
   }
   v[var_t] = t;
   Vec<D> result;

@@ -44,7 +44,7 @@ Vec3 CellCut::at(const Corner& c) const {
 }
 
 Vec3 CellCut::crossing(const Corner& in, const Corner& out) {
-  const auto slot = static_cast<std::size_t>(8 * in.index + out.index);
+  const auto slot = 8 * static_cast<std::size_t>(in.index) + static_cast<std::size_t>(out.index);
   if ((known_ >> slot & 1u) == 0) {
     crossing_[slot] = find_crossing(in, out);
     known_ |= std::uint64_t{1} << slot;

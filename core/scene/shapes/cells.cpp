@@ -96,14 +96,15 @@ class Lattice {
   }
 
  private:
-  std::size_t node(int i, int j) const { return static_cast<std::size_t>(j * (n_[0] + 1) + i); }
+  std::size_t row_size() const { return static_cast<std::size_t>(n_[0]) + 1; }
+  std::size_t node(int i, int j) const { return static_cast<std::size_t>(j) * row_size() + static_cast<std::size_t>(i); }
 
   std::vector<double> plane(int k) const {
-    std::vector<double> values(static_cast<std::size_t>((n_[0] + 1) * (n_[1] + 1)));
+    std::vector<double> values(row_size() * (static_cast<std::size_t>(n_[1]) + 1));
     const Vec3 step(size_.x(), 0, 0);
     for (int j = 0; j <= n_[1]; ++j) {
       const Vec3 first = set_.domain.min + Vec3(0, j, k).cwiseProduct(size_);
-      const auto row = std::span(values).subspan(node(0, j), static_cast<std::size_t>(n_[0] + 1));
+      const auto row = std::span(values).subspan(node(0, j), row_size());
       if (set_.row) {
         set_.row(first, step, row);
       } else {
