@@ -31,7 +31,7 @@ ValueRange percentile_range(std::span<const float> values, const FieldInfo& info
     if (std::isfinite(values[k])) sample.push_back(values[k]);
   if (sample.empty()) return {0, 1};
   const auto percentile = [&](double q) {
-    const auto at = sample.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(sample.size() - 1) + 0.5);
+    const auto at = sample.begin() + std::lround(q * static_cast<double>(sample.size() - 1));
     std::nth_element(sample.begin(), at, sample.end());
     return static_cast<double>(*at);
   };

@@ -264,6 +264,7 @@ Study parse_study(std::string_view text, const std::string& source, const fs::pa
   for (Problem& problem : reader.take_problems()) problems.push_back(std::move(problem));
   if (!problems.empty()) {
     std::vector<std::string> pointers;
+    pointers.reserve(problems.size());
     for (const Problem& problem : problems) pointers.push_back(problem.pointer);
     const std::vector<int> lines = json_lines(text, pointers);
     for (std::size_t k = 0; k < problems.size(); ++k)

@@ -15,23 +15,24 @@ auto of_study(Member Study::*member) {
 }
 
 template <class Get>
-Row text_of(TableOf<StudyDocument>& t, Get get, std::string key, std::string label) {
+Row text_of(TableOf<StudyDocument>& t, Get get, const std::string& key, const std::string& label) {
   return t.leaf(
-      SettingKind::text, std::move(key), std::move(label), "",
+      SettingKind::text, key, label, "",
       [get](Reader& r, const Json& j, const Setting& s, StudyDocument& d) { return read_text(r, j, s, get(d)); },
       [](const StudyDocument&, const WriteStyle&) { return std::optional<Json>(); });
 }
 template <class Get>
-Row number_of(TableOf<StudyDocument>& t, Get get, std::string key, std::string label, std::string unit) {
+Row number_of(TableOf<StudyDocument>& t, Get get, const std::string& key, const std::string& label,
+              const std::string& unit) {
   return t.leaf(
-      SettingKind::number, std::move(key), std::move(label), std::move(unit),
+      SettingKind::number, key, label, unit,
       [get](Reader& r, const Json& j, const Setting& s, StudyDocument& d) { return read_number(r, j, s, get(d)); },
       [](const StudyDocument&, const WriteStyle&) { return std::optional<Json>(); });
 }
 template <class Get>
-Row integer_of(TableOf<StudyDocument>& t, Get get, std::string key, std::string label) {
+Row integer_of(TableOf<StudyDocument>& t, Get get, const std::string& key, const std::string& label) {
   return t.leaf(
-      SettingKind::integer, std::move(key), std::move(label), "",
+      SettingKind::integer, key, label, "",
       [get](Reader& r, const Json& j, const Setting& s, StudyDocument& d) {
         std::uint64_t value = 0;
         const bool good = read_integer(r, j, s, value);
@@ -41,9 +42,9 @@ Row integer_of(TableOf<StudyDocument>& t, Get get, std::string key, std::string 
       [](const StudyDocument&, const WriteStyle&) { return std::optional<Json>(); });
 }
 template <class Get>
-Row choice_of(TableOf<StudyDocument>& t, Get get, std::string key, std::string label) {
+Row choice_of(TableOf<StudyDocument>& t, Get get, const std::string& key, const std::string& label) {
   return t.leaf(
-      SettingKind::choice, std::move(key), std::move(label), "",
+      SettingKind::choice, key, label, "",
       [get](Reader& r, const Json& j, const Setting& s, StudyDocument& d) {
         std::string value;
         const bool good = read_choice(r, j, s, value);
@@ -95,8 +96,9 @@ void read_titles(Reader& reader, const Json& json, std::vector<std::pair<std::st
 }
 
 /// A key that is only kept: what it means needs the scene.
-void keep(TableOf<StudyDocument>& t, Json StudyDocument::*member, std::string key, std::string label, bool required) {
-  Key& row = t.own(Nesting::leaf, nullptr, std::move(key), std::move(label));
+void keep(TableOf<StudyDocument>& t, Json StudyDocument::*member, const std::string& key, const std::string& label,
+          bool required) {
+  Key& row = t.own(Nesting::leaf, nullptr, key, label);
   row.setting.required = required;
   row.read = [member](Reader&, const Json& j, void* o) { static_cast<StudyDocument*>(o)->*member = j; };
   row.write = [](const void*, const WriteStyle&) { return std::optional<Json>(); };
@@ -155,8 +157,9 @@ const Table& limit_table() {
 
 /// A list or object inside Study.
 template <class Read>
-void nested(TableOf<StudyDocument>& t, const Table& (*child)(), std::string key, std::string label, Read read) {
-  Key& row = t.own(Nesting::object, child, std::move(key), std::move(label));
+void nested(TableOf<StudyDocument>& t, const Table& (*child)(), const std::string& key, const std::string& label,
+            Read read) {
+  Key& row = t.own(Nesting::object, child, key, label);
   row.read = read;
   row.write = [](const void*, const WriteStyle&) { return std::optional<Json>(); };
 }

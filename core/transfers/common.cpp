@@ -203,6 +203,7 @@ Vec<D> affine_inertia(const BasisInfo& basis, double spacing, const Vec<D>& x) {
   return inertia * spacing * spacing;
 }
 
+// NOLINTBEGIN(bugprone-macro-parentheses): D is a template argument.
 #define PF_INSTANTIATE(D)                                                                                  \
   template void particles_to_grid<D>(const Plan<D>&, const Particles<D>&, bool, Parallel&, GridState<D>&); \
   template void lumped_velocity<D>(const Plan<D>&, const Particles<D>&, GridState<D>&);                    \
@@ -213,5 +214,6 @@ Vec<D> affine_inertia(const BasisInfo& basis, double spacing, const Vec<D>& x) {
 PF_INSTANTIATE(2)
 PF_INSTANTIATE(3)
 #undef PF_INSTANTIATE
+// NOLINTEND(bugprone-macro-parentheses)
 
 }  // namespace pf

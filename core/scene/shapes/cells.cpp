@@ -97,7 +97,9 @@ class Lattice {
 
  private:
   std::size_t row_size() const { return static_cast<std::size_t>(n_[0]) + 1; }
-  std::size_t node(int i, int j) const { return static_cast<std::size_t>(j) * row_size() + static_cast<std::size_t>(i); }
+  std::size_t node(int i, int j) const {
+    return static_cast<std::size_t>(j) * row_size() + static_cast<std::size_t>(i);
+  }
 
   std::vector<double> plane(int k) const {
     std::vector<double> values(row_size() * (static_cast<std::size_t>(n_[1]) + 1));
