@@ -17,8 +17,8 @@ struct Box {
 };
 
 /// The legend stands beside the title, or below it where the view is narrow.
-float top_of(Point2 min, Point2 max) {
-  return min.y + margin + (max.x - min.x < 520 ? 64.f : 0.f);
+float top_of(const OverlayInfo& info, Point2 min, Point2 max) {
+  return min.y + margin + (info.clock && max.x - min.x < 520 ? 64.f : 0.f);
 }
 
 /// A panel of this size at the right edge.
@@ -31,7 +31,7 @@ Box panel(const RenderTheme& theme, Painter& painter, Point2 max, float top, flo
 void draw_categories(const OverlayInfo& info, const RenderTheme& theme, Painter& painter, Point2 min, Point2 max) {
   constexpr float row = 20;
   // More names than fit end with how many are missing.
-  const float room = max.y - top_of(min, max) - margin - 100;
+  const float room = max.y - top_of(info, min, max) - margin - 100;
   const auto most = static_cast<std::size_t>(std::max(1.f, room / row));
   std::vector<std::string> names = info.material_names;
   if (names.empty()) return;
@@ -44,7 +44,7 @@ void draw_categories(const OverlayInfo& info, const RenderTheme& theme, Painter&
   const std::string title(field_info(info.field).label);
   float width = painter.text_width(title, title_size, FontWeight::bold);
   for (const std::string& name : names) width = std::max(width, 20 + painter.text_width(name, text_size));
-  const Box box = panel(theme, painter, max, top_of(min, max), width + 2 * padding,
+  const Box box = panel(theme, painter, max, top_of(info, min, max), width + 2 * padding,
                         2 * padding + title_size + row * static_cast<float>(names.size()) + 2);
   const float x = box.min.x + padding;
   float y = box.min.y + padding + title_size - 2;
@@ -69,7 +69,8 @@ void draw_gradient(const FieldInfo& info, Painter& painter, const Box& bar) {
 
 void draw_scalar(const OverlayInfo& info, const RenderTheme& theme, Painter& painter, Point2 min, Point2 max) {
   const FieldInfo& field = field_info(info.field);
-  const float height = std::clamp(0.36f * (max.y - min.y), 70.f, 260.f);
+  const float room = max.y - top_of(info, min, max) - margin - 2 * padding;
+  float height = std::min(room, std::clamp(0.36f * (max.y - min.y), 70.f, 260.f));
   const int most = std::clamp(static_cast<int>(height / 34), 2, 7);
   const auto fit = [](const std::vector<Tick>&) { return true; };
   const TickSet ticks = linear_ticks(info.range.min, info.range.max, most, fit);
@@ -81,7 +82,9 @@ void draw_scalar(const OverlayInfo& info, const RenderTheme& theme, Painter& pai
   const bool beside = title_width <= height;
   const float width = beside ? scale_width + title_size + 8 : std::max(title_width, scale_width);
   const float above = beside ? 0 : title_size + 12;
-  const Box box = panel(theme, painter, max, top_of(min, max), width + 2 * padding, height + above + 2 * padding);
+  height = std::min(height, room - above);
+  if (height < 3 * text_size) return;  // better none than one that cannot be read
+  const Box box = panel(theme, painter, max, top_of(info, min, max), width + 2 * padding, height + above + 2 * padding);
   const float right = box.max.x - padding, top = box.min.y + padding + above;
   if (beside)
     painter.text({box.min.x + padding + 0.75f * title_size, top + 0.5f * height}, title, title_size, theme.text,
