@@ -38,7 +38,7 @@ double estimated_memory(const Scene& scene) {
     // snapshot.
     const double vectors = 8.0 * d * 5 + 8.0 * d * d * 6 + 64;
     const double lanes = per_cell < lane_count<3> ? lane_count<3> / per_cell : 1.5;
-    const double solve = lanes * 8.0 * (2 * d * K + d * d * (d * d + 1) / 2);
+    const double solve = lanes * 8.0 * (2 * d * K + d * d * (d * d + 1) / 2.0);
     // About a dozen vectors of d components a node, and the block diagonal.
     const double nodes = (12.0 * 8 * d + 8.0 * d * d + 64) * 2 / per_cell;
     total += particles * (vectors + solve + nodes);

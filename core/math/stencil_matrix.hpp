@@ -42,7 +42,9 @@ struct StencilMatrix {
     lower.assign(static_cast<std::size_t>(of.rows()) * row_size(), 0);
     diagonal.assign(static_cast<std::size_t>(of.rows()) * D * D, 0);
   }
-  std::size_t row_size() const { return static_cast<std::size_t>(layout->lines()) * static_cast<std::size_t>(D * width); }
+  std::size_t row_size() const {
+    return static_cast<std::size_t>(layout->lines()) * static_cast<std::size_t>(D * width);
+  }
   float* row(int i) { return lower.data() + static_cast<std::size_t>(i) * row_size(); }
   const float* row(int i) const { return lower.data() + static_cast<std::size_t>(i) * row_size(); }
   float* diagonal_block(int i) { return diagonal.data() + static_cast<std::size_t>(i) * D * D; }

@@ -133,6 +133,28 @@ void Multigrid<D>::prepare(const LinearProblem<D>& problem) {
   }
   levels_[count_ - 1]->invert_diagonal(parallel_);
   factorize();
+  build_patches();
+}
+
+template <int D>
+void Multigrid<D>::build_patches() {
+  for (std::size_t k = 0; k < count_; ++k) {
+    MultigridLevel<D>& level = *levels_[k];
+    if (!strong_ || (factorized_ && k + 1 == count_)) {
+      level.patches.clear();
+    } else {
+      level.patches.build(level.A, parallel_);
+      this->work_.stencil_operations += level.patches.build_operations();
+    }
+  }
+}
+
+template <int D>
+bool Multigrid<D>::strengthen() {
+  if (strong_) return false;
+  strong_ = true;
+  build_patches();
+  return true;
 }
 
 template <int D>

@@ -18,17 +18,20 @@ class Multigrid final : public Preconditioner<D> {
   void prepare(const LinearProblem<D>& problem) override;
   int cost() const override { return 12; }
   void apply(const LinearProblem<D>& problem, const Vector& r, Vector& z) override;
-  void new_step() override { laid_out_ = false; }
+  /// With patches of light nodes (core/solvers/edge_patches.hpp).
+  bool strengthen() override;
+  void new_step() override { laid_out_ = strong_ = false; }
 
  private:
   void lay_out(const LinearProblem<D>& problem);
   void constrain(const LinearProblem<D>& problem);
+  void build_patches();
   void factorize();
   void cycle(std::size_t level);
   void solve_coarsest();
 
   Parallel& parallel_;
-  bool laid_out_ = false, factorized_ = false;
+  bool laid_out_ = false, factorized_ = false, strong_ = false;
   std::size_t count_ = 0;                                   ///< levels in use
   std::vector<std::unique_ptr<MultigridLevel<D>>> levels_;  ///< [0] the finest
   std::vector<std::int32_t> row_of_;                        ///< a node

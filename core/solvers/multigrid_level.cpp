@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/math/vector_ops.hpp"
+#include "core/solvers/window_row.hpp"
 
 namespace pf {
 
@@ -11,69 +12,18 @@ namespace {
 
 using Index = std::ptrdiff_t;
 
-/// What one row of the matrix does in a sweep.
 template <int D, int R>
-struct Row {
-  static constexpr int width = window_width<D, R>;
-  static constexpr int lines = D == 2 ? R + 1 : R * (2 * R + 1) + R + 1;
-  static constexpr int lanes = window_lanes<width>, parts = width / lanes;
-  using Lanes = FloatLanes<lanes>;
-
-  static Lanes load(const float* from) {
-    Lanes v;
-    __builtin_memcpy(&v, from, sizeof v);
-    return v;
-  }
-
-  /// sum[a] += the lower half of the row times x, over the windows of [first, last) slots.
-  static inline __attribute__((always_inline)) void gather(const float* row, const std::int32_t* windows, int first,
-                                                           int last, const float* x, float* sum) {
-    Lanes total[D][parts] = {};
-    for (int l = 0; l < lines; ++l) {
-      if (windows[l] < first || windows[l] >= last) continue;
-      const float* const at = x + static_cast<Index>(windows[l]) * D;
-      const float* const entries = row + static_cast<Index>(l) * D * width;
-      for (int k = 0; k < parts; ++k) {
-        const Lanes value = load(at + k * lanes);
-        for (int a = 0; a < D; ++a) total[a][k] += load(entries + a * width + k * lanes) * value;
-      }
-    }
-    for (int a = 0; a < D; ++a) {
-      Lanes v = total[a][0];
-      for (int k = 1; k < parts; ++k) v += total[a][k];
-      for (int half = lanes / 2; half > 0; half /= 2)
-        for (int j = 0; j < half; ++j) v[j] += v[j + half];
-      sum[a] += v[0];
-    }
-  }
-
-  /// to += the transposed lower half of the row times the row's own `value`, over the same windows.
-  static inline __attribute__((always_inline)) void push(const float* row, const std::int32_t* windows, int first,
-                                                         int last, const float* value, float* to) {
-    for (int l = 0; l < lines; ++l) {
-      if (windows[l] < first || windows[l] >= last) continue;
-      float* const at = to + static_cast<Index>(windows[l]) * D;
-      const float* const entries = row + static_cast<Index>(l) * D * width;
-      for (int k = 0; k < parts; ++k) {
-        Lanes sum = load(at + k * lanes);
-        for (int a = 0; a < D; ++a) sum += load(entries + a * width + k * lanes) * value[a];
-        __builtin_memcpy(at + k * lanes, &sum, sizeof sum);
-      }
-    }
-  }
-};
-
-constexpr int all_slots = 0x7fffffff;
+constexpr int lower_lines = D == 2 ? R + 1 : R*(2 * R + 1) + R + 1;
 
 /// Gauss-Seidel on one row: x_i = inverse (b_i - rest_i - lower half times x), then x_i's part in the rows before it.
 template <int D, int R>
 inline void relax(const MultigridLevel<D>& level, int i, float* x, float* rest) {
-  using Sweep = Row<D, R>;
+  using Row = WindowRow<D, R>;
   const Index at = static_cast<Index>(level.layout.slot(i)) * D;
   const float* const row = level.A.row(i);
   const std::int32_t* const windows = level.layout.windows(i);
   float known[D] = {};
-  Sweep::gather(row, windows, 0, all_slots, x, known);
+  Row::gather(row, windows, lower_lines<D, R>, 0, all_slots, x, known);
   const float* const inverse = level.inverse.data() + static_cast<Index>(i) * D * D;
   float value[D] = {};
   for (int c = 0; c < D; ++c) {
@@ -84,7 +34,7 @@ inline void relax(const MultigridLevel<D>& level, int i, float* x, float* rest) 
     x[at + a] = value[a];
     rest[at + a] = 0;
   }
-  Sweep::push(row, windows, 0, all_slots, value, rest);
+  Row::push(row, windows, lower_lines<D, R>, 0, all_slots, value, rest);
 }
 
 /// body(chunk) for the chunks of one parity.
@@ -153,24 +103,26 @@ void MultigridLevel<D>::smooth_from_zero(Parallel& parallel) {
     for_chunks(parallel, chunks, 0, [&](const auto& chunk) {
       for (int i = chunk.row_begin; i < chunk.row_end; ++i) {
         if (!reaches_out(layout, chunk, i)) continue;
-        Row<D, R>::gather(A.row(i), layout.windows(i), 0, chunk.slot_begin, x.data(),
-                          rest_.data() + static_cast<Index>(layout.slot(i)) * D);
+        WindowRow<D, R>::gather(A.row(i), layout.windows(i), lower_lines<D, R>, 0, chunk.slot_begin, x.data(),
+                                rest_.data() + static_cast<Index>(layout.slot(i)) * D);
       }
     });
   });
+  patches.sweep(parallel, x, rest_);
 }
 
 template <int D>
 void MultigridLevel<D>::smooth_back(Parallel& parallel) {
   fill_zero(parallel, rest_);
+  patches.sweep_back(parallel, b, x);
   with_reach(layout.reach(), [&](auto r) {
     constexpr int R = r;
     const auto& chunks = layout.chunks();
     for_chunks(parallel, chunks, 0, [&](const auto& chunk) {
       for (int i = chunk.row_begin; i < chunk.row_end; ++i) {
         if (!reaches_out(layout, chunk, i)) continue;
-        Row<D, R>::push(A.row(i), layout.windows(i), 0, chunk.slot_begin,
-                        x.data() + static_cast<Index>(layout.slot(i)) * D, rest_.data());
+        WindowRow<D, R>::push(A.row(i), layout.windows(i), lower_lines<D, R>, 0, chunk.slot_begin,
+                              x.data() + static_cast<Index>(layout.slot(i)) * D, rest_.data());
       }
     });
     for (const int parity : {1, 0})

@@ -3,6 +3,7 @@
 
 #include "core/math/parallel.hpp"
 #include "core/math/stencil_matrix.hpp"
+#include "core/solvers/edge_patches.hpp"
 
 namespace pf {
 
@@ -14,6 +15,7 @@ class MultigridLevel {
   StencilMatrix<D> A;
   Floats inverse;  ///< of the diagonal blocks, as the free directions see them
   Floats b, x;     ///< A x = b
+  EdgePatches<D> patches;
 
   /// Vectors for a new layout.
   void resize();
@@ -28,7 +30,8 @@ class MultigridLevel {
 
   /// Multiply-adds of both sweeps: each entry of the lower half serves twice in either.
   std::uint64_t cycle_operations() const {
-    return 4 * static_cast<std::uint64_t>(layout.rows()) * static_cast<std::uint64_t>(A.row_size());
+    return 4 * static_cast<std::uint64_t>(layout.rows()) * static_cast<std::uint64_t>(A.row_size()) +
+           patches.sweep_operations();
   }
 
   /// Lays out `coarse` and how the two levels are connected.

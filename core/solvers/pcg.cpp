@@ -7,6 +7,13 @@
 
 namespace pf {
 
+namespace {
+
+/// After so many iterations the preconditioner shall do what it can.
+constexpr int patience = 8;
+
+}  // namespace
+
 template <int D>
 void Pcg<D>::new_step() {
   prepared_ = false;
@@ -48,7 +55,7 @@ LinearResult Pcg<D>::solve(const LinearProblem<D>& problem, Vector& p) {
     return result;
   };
   if (!(rz >= 0)) return indefinite();
-  const double target = problem.tolerance * std::sqrt(rz);
+  double target = problem.tolerance * std::sqrt(rz);
   const int most = static_cast<int>(std::clamp<Eigen::Index>(4 * n, 100, 20000));
   while (std::sqrt(rz) > target && result.iterations < most) {
     if (problem.cancel && problem.cancel->load(std::memory_order_relaxed)) {
@@ -68,13 +75,22 @@ LinearResult Pcg<D>::solve(const LinearProblem<D>& problem, Vector& p) {
       r_.segment(begin, count) -= alpha * product_.segment(begin, count);
     });
     precondition(problem);
-    const double next = dot(parallel_, r_, z_);
+    double next = dot(parallel_, r_, z_);
     if (!(next >= 0)) return indefinite();
     const double beta = next / rz;
     for_pieces(parallel_, n, [&](std::ptrdiff_t begin, std::ptrdiff_t count) {
       direction_.segment(begin, count) = z_.segment(begin, count) + beta * direction_.segment(begin, count);
     });
     rz = next;
+    if (result.iterations == patience && std::sqrt(rz) > target && preconditioner_->strengthen()) {
+      // From here as from the start, but towards what the other norm makes of the same target.
+      precondition(problem);
+      direction_ = z_;
+      next = dot(parallel_, r_, z_);
+      if (!(next >= 0)) return indefinite();
+      target *= std::sqrt(next / rz);
+      rz = next;
+    }
   }
   // Compared by digits won: later solves of a step are asked for more or fewer of them.
   const double digits = std::max(0.1, -std::log10(std::max(problem.tolerance, 1e-15)));

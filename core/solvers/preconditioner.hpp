@@ -17,6 +17,9 @@ class Preconditioner {
   virtual int cost() const = 0;
   /// z = B^-1 r; `r` and `z` lie in the free directions, and z depends linearly and symmetrically on r.
   virtual void apply(const LinearProblem<D>& problem, const Vector& r, Vector& z) = 0;
+  /// For the Hessian of the last prepare(), and until new_step(): does more in every apply(), where there is more that
+  /// it could do. False if not.
+  virtual bool strengthen() { return false; }
   /// What was done since the last call, the assembly of particles left out.
   SolverWork take_work() { return std::exchange(work_, {}); }
   /// The step's nodes have changed: forget what depends on them.

@@ -145,7 +145,7 @@ TEST_CASE("a coarse level is P^T A P, for scattered particles, every basis, 2D a
   });
 }
 
-TEST_CASE("the cycle is symmetric and positive definite, also with held and sliding nodes") {
+TEST_CASE("the cycle is symmetric and positive definite, also with held and sliding nodes, with patches or without") {
   for_bases([](auto d, std::string_view basis) {
     constexpr int D = d;
     Step<D> step(test::scattered<D>(D == 2 ? 150 : 250, dx, D == 2 ? 0.8 : 0.45, 6), basis);
@@ -165,7 +165,8 @@ TEST_CASE("the cycle is symmetric and positive definite, also with held and slid
     Multigrid<D> multigrid(step.grid.parallel);
     const LinearProblem<D> problem = step.problem();
     multigrid.prepare(problem);
-    for (int k = 0; k < 5; ++k) {
+    for (int k = 0; k < 10; ++k) {
+      if (k == 5) REQUIRE(multigrid.strengthen());
       Vector a = random.values(step.grid.unknowns(), 1), b = random.values(step.grid.unknowns(), 1), Ba, Bb;
       step.set.restrict_to(step.directions, a);
       step.set.restrict_to(step.directions, b);
@@ -180,7 +181,7 @@ TEST_CASE("the cycle is symmetric and positive definite, also with held and slid
 }
 
 TEST_CASE("a cycle does not depend on the number of threads, to the bit") {
-  Vector z[3];
+  Vector z[3], strong[3];
   for (int threads = 1; threads <= 3; ++threads) {
     Particles<3> particles;
     for (int k = 0; k < 30; ++k)
@@ -191,7 +192,12 @@ TEST_CASE("a cycle does not depend on the number of threads, to the bit") {
     const LinearProblem<3> problem = step.problem();
     multigrid.prepare(problem);
     multigrid.apply(problem, step.g, z[threads - 1]);
+    multigrid.strengthen();
+    multigrid.apply(problem, step.g, strong[threads - 1]);
   }
+  CHECK(z[0] != strong[0]);
+  CHECK(strong[0] == strong[1]);
+  CHECK(strong[0] == strong[2]);
   CHECK(z[0] == z[1]);
   CHECK(z[0] == z[2]);
 }
