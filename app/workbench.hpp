@@ -153,7 +153,7 @@ class Workbench {
   Clock::time_point rest_until_{};
   Clock::time_point held_until_{};  ///< no frame before, while a scene is being built
   bool loading_shown_ = false;      ///< the last frame said that a scene is being built
-  int mishaps_ = 0;  ///< turns in a row that threw
+  int mishaps_ = 0;                 ///< turns in a row that threw
   bool leaving_ = false;
   float built_scale_ = 0;  ///< of the fonts
   Theme applied_theme_ = Theme::dark;
