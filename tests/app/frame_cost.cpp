@@ -112,11 +112,24 @@ Scene shipped(const char* name) {
   return load_scene(asset_path("scenes") / (std::string(name) + ".json"));
 }
 
+/// A unit square or cube with two particles a cell and axis.
+Scene block(int dimension, double spacing) {
+  const bool flat = dimension == 2;
+  const nlohmann::json zero = flat ? nlohmann::json{0, 0} : nlohmann::json{0, 0, 0};
+  const nlohmann::json one = flat ? nlohmann::json{1, 1} : nlohmann::json{1, 1, 1};
+  const nlohmann::json scene{
+      {"dimension", dimension},
+      {"gravity", flat ? nlohmann::json{0, -9.81} : nlohmann::json{0, -9.81, 0}},
+      {"grid", {{"spacing", spacing}}},
+      {"materials", {{"rubber", {{"model", "neo_hookean"}, {"density", 1000}, {"young", 1e5}, {"poisson", 0.3}}}}},
+      {"bodies",
+       nlohmann::json::array(
+           {{{"name", "block"}, {"material", "rubber"}, {"shape", {{"type", "box"}, {"min", zero}, {"max", one}}}}})}};
+  return parse_scene(scene.dump(), "test");
+}
+
 Scene hundred_thousand() {
-  return parse_scene(R"({"dimension": 2, "gravity": [0, -9.81], "grid": {"spacing": 0.0064},
-        "materials": {"rubber": {"model": "neo_hookean", "density": 1000, "young": 1e5, "poisson": 0.3}},
-        "bodies": [{"name": "block", "material": "rubber", "shape": {"type": "box", "min": [0, 0], "max": [1, 1]}}]})",
-                     "test");
+  return block(2, 0.0064);
 }
 
 #define NEEDS_DISPLAY()                                                  \
@@ -134,6 +147,9 @@ TEST_SUITE("long") {
     Stage(shipped("twisted-bar")).report("twisted-bar");
     Stage(shipped("torus-on-ball")).report("torus-on-ball");
     Stage(hundred_thousand()).report("a block");
+    Stage(block(3, 1. / 23)).report("a cube");
+    Stage(block(2, 0.002)).report("a block");
+    Stage(block(3, 0.02)).report("a cube");
   }
 
   TEST_CASE("100 thousand particles: a frame costs the window's thread at most 16 ms") {
