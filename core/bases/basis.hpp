@@ -27,10 +27,17 @@ struct BasisInfo {
   double offset;
   /// D_p / dx^2 where affine_by_moments.
   double moment;
-  /// The same weights of particles whose base is known: t = s - base.
-  void (*four)(const FourNumbers& t, FourNumbers* N, FourNumbers* dN);
-  void (*eight)(const EightNumbers& t, EightNumbers* N, EightNumbers* dN);
+  /// The same weights of particles whose base is known, all axes at once: t = s - base of each axis; nodes_per_axis
+  /// values an axis. `four`: two axes, `eight`: three.
+  void (*four)(const FourNumbers* t, FourNumbers* N, FourNumbers* dN);
+  void (*eight)(const EightNumbers* t, EightNumbers* N, EightNumbers* dN);
 };
+
+/// `values` (t, N, dN) of one axis, for each axis.
+template <int axes, int nodes, class T, void (*values)(const T&, T*, T*)>
+void all_axes(const T* t, T* N, T* dN) {
+  for (int a = 0; a < axes; ++a) values(t[a], N + a * nodes, dN + a * nodes);
+}
 
 /// Every basis, in the order in which it is offered.
 std::span<const BasisInfo> bases();

@@ -35,7 +35,7 @@ inline constexpr BasisInfo cubic_basis{"cubic",
                                        cubic_weights,
                                        1,
                                        1.0 / 3,
-                                       cubic_values<FourNumbers>,
-                                       cubic_values<EightNumbers>};
+                                       all_axes<2, 4, FourNumbers, cubic_values<FourNumbers>>,
+                                       all_axes<3, 4, EightNumbers, cubic_values<EightNumbers>>};
 
 }  // namespace pf

@@ -31,7 +31,7 @@ inline constexpr BasisInfo linear_basis{
     linear_weights,
     0,
     0,
-    linear_values<FourNumbers>,
-    linear_values<EightNumbers>};
+    all_axes<2, 2, FourNumbers, linear_values<FourNumbers>>,
+    all_axes<3, 2, EightNumbers, linear_values<EightNumbers>>};
 
 }  // namespace pf

@@ -33,7 +33,7 @@ inline constexpr BasisInfo quadratic_basis{"quadratic",
                                            quadratic_weights,
                                            0.5,
                                            0.25,
-                                           quadratic_values<FourNumbers>,
-                                           quadratic_values<EightNumbers>};
+                                           all_axes<2, 3, FourNumbers, quadratic_values<FourNumbers>>,
+                                           all_axes<3, 3, EightNumbers, quadratic_values<EightNumbers>>};
 
 }  // namespace pf

@@ -40,7 +40,8 @@ void ElasticEnergy<D>::deform(const Block<D>& block, const Vector& u) {
     load_block<D, K, D>(plan_, block, u.data(), local);
     for (int i = block.batch_begin; i < block.batch_end; ++i) {
       const Batch& batch = plan_.batches()[at(i)];
-      const Wide<W>* w = plan_.weights(i);
+      Wide<W> w[2 * D * K];
+      plan_.weights(i, w);
       Wide<W> gradient[D][D];
       S::template gather<false, true>(local + batch.node * D, w, w + D * K, nullptr, gradient);
       Wide<W> F_hat[D * D], F_n[D * D], F[D * D];
@@ -120,7 +121,8 @@ void ElasticEnergy<D>::add_force_at_rest(Vector& g) {
       double local[S::nodes * D] = {};
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
         const Batch& batch = plan_.batches()[at(i)];
-        const Wide<W>* w = plan_.weights(i);
+        Wide<W> w[2 * D * K];
+        plan_.weights(i, w);
         Wide<W> flux[D][D];
         batch_flux(batch, flux);
         S::template scatter<false, true>(nullptr, flux, w, w + D * K, local + batch.node * D);
@@ -150,7 +152,8 @@ double ElasticEnergy<D>::gradient(const Vector& u, Vector& g, Vector& magnitude)
       double local_size[S::nodes] = {};
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
         const Batch& batch = plan_.batches()[at(i)];
-        const Wide<W>* w = plan_.weights(i);
+        Wide<W> w[2 * D * K];
+        plan_.weights(i, w);
         Wide<W> flux[D][D];
         batch_flux(batch, flux);
         S::template scatter<false, true>(nullptr, flux, w, w + D * K, local + batch.node * D);
@@ -179,7 +182,7 @@ double ElasticEnergy<D>::gradient(const Vector& u, Vector& g, Vector& magnitude)
 template <int D>
 void ElasticEnergy<D>::block_tangents(const Block<D>& block, bool project) {
   constexpr int group = 64;  // particles a call
-  double* place[group];
+  float* place[group];
   int i = block.batch_begin;
   for (int r = block.run_begin; r < block.run_end; ++r) {
     const MaterialRun& run = plan_.runs()[at(r)];
@@ -187,8 +190,8 @@ void ElasticEnergy<D>::block_tangents(const Block<D>& block, bool project) {
       const int count = std::min(group, run.end - first);
       for (int p = first; p < first + count; ++p) {
         while (p >= plan_.batches()[at(i)].first + plan_.batches()[at(i)].count) ++i;
-        Wide<W>* batch = tangent_.data() + at(i) * components;
-        place[p - first] = reinterpret_cast<double*>(batch) + (p - plan_.batches()[at(i)].first);
+        Narrow<W>* batch = tangent_.data() + at(i) * components;
+        place[p - first] = reinterpret_cast<float*>(batch) + (p - plan_.batches()[at(i)].first);
       }
       const std::size_t n = at(count);
       laws_[run.material]->grid_tangent({F_.data() + first, n}, {particles_.F.data() + first, n},
@@ -202,7 +205,7 @@ void ElasticEnergy<D>::prepare_hessian(const Vector&, bool project) {
   tangent_.resize(plan_.batches().size() * components);
   for_each_block(plan_, parallel_, [&](const Block<D>& block, int) {
     std::fill(tangent_.begin() + block.batch_begin * components, tangent_.begin() + block.batch_end * components,
-              Wide<W>{});
+              Narrow<W>{});
     block_tangents(block, project);
   });
   work_.tangent += particles_.size();
@@ -219,8 +222,9 @@ void ElasticEnergy<D>::hessian_product(const Vector& p, Vector& Hp) {
       load_block<D, K, D>(plan_, block, p.data(), local);
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
         const Batch& batch = plan_.batches()[at(i)];
-        const Wide<W>* w = plan_.weights(i);
-        const Wide<W>* A = tangent_.data() + at(i) * components;
+        Wide<W> w[2 * D * K];
+        plan_.weights(i, w);
+        const Narrow<W>* A = tangent_.data() + at(i) * components;
         Wide<W> gradient[D][D];
         S::template gather<false, true>(local + batch.node * D, w, w + D * K, nullptr, gradient);
         // Each number of the symmetric tangent is read once and used twice.
@@ -229,7 +233,7 @@ void ElasticEnergy<D>::hessian_product(const Vector& p, Vector& Hp) {
         for (int row = 0; row < n2; ++row)
 #pragma GCC unroll 9
           for (int column = row; column < n2; ++column) {
-            const Wide<W> a = A[packed_tangent_index<D>(row, column)];
+            const Wide<W> a = widen<W>(A[packed_tangent_index<D>(row, column)]);
             flux[row % D][row / D] += a * gradient[column % D][column / D];
             if (column != row) flux[column % D][column / D] += a * gradient[row % D][row / D];
           }
@@ -245,14 +249,15 @@ namespace {
 
 /// T[a][c][b] = sum_d A_{ab,cd} grad_d: half of the contraction of a tangent with two gradients.
 template <int D>
-inline void contract(const Wide<lane_count<D>>* A, const Wide<lane_count<D>>* grad, Wide<lane_count<D>> (*T)[D][D]) {
+inline void contract(const Narrow<lane_count<D>>* A, const Wide<lane_count<D>>* grad, Wide<lane_count<D>> (*T)[D][D]) {
   for (int a = 0; a < D; ++a)
     for (int c = 0; c < D; ++c)
       for (int b = 0; b < D; ++b) {
         Wide<lane_count<D>> sum{};
         for (int d = 0; d < D; ++d) {
           const int row = a + D * b, column = c + D * d;
-          sum += A[packed_tangent_index<D>(std::min(row, column), std::max(row, column))] * grad[d];
+          sum +=
+              widen<lane_count<D>>(A[packed_tangent_index<D>(std::min(row, column), std::max(row, column))]) * grad[d];
         }
         T[a][c][b] = sum;
       }
@@ -263,7 +268,7 @@ inline void contract(const Wide<lane_count<D>>* A, const Wide<lane_count<D>>* gr
 /// The diagonal blocks of one batch, upper halves row by row, added to the cell's nodes `out`. grad_b grad_d of a node
 /// is a product of N^2, N N' and N'^2 of the axes, so one axis after the other, as in core/grid/stencil.hpp.
 template <int D, int K>
-inline void scatter_diagonal(const Wide<lane_count<D>>* A, const Wide<lane_count<D>>* w, double* out) {
+inline void scatter_diagonal(const Narrow<lane_count<D>>* A, const Wide<lane_count<D>>* w, double* out) {
   using Lane = Wide<lane_count<D>>;
   constexpr int C = D * (D + 1) / 2, edge = Stencil<D, K, 1>::edge, z = D - 1;
   Lane NN[D * K], Nd[D * K], dd[D * K];
@@ -279,8 +284,8 @@ inline void scatter_diagonal(const Wide<lane_count<D>>* A, const Wide<lane_count
       for (int a = 0, m = 0; a < D; ++a)
         for (int c = a; c < D; ++c, ++m) {
           const int p = a + D * b, q = c + D * d, r = a + D * d, s = c + D * b;
-          part[b][d][m] = A[packed_tangent_index<D>(std::min(p, q), std::max(p, q))];
-          if (b != d) part[b][d][m] += A[packed_tangent_index<D>(std::min(r, s), std::max(r, s))];
+          part[b][d][m] = widen<lane_count<D>>(A[packed_tangent_index<D>(std::min(p, q), std::max(p, q))]);
+          if (b != d) part[b][d][m] += widen<lane_count<D>>(A[packed_tangent_index<D>(std::min(r, s), std::max(r, s))]);
         }
   for (int k = 0; k < (D == 3 ? K : 1); ++k)
     for (int j = 0; j < K; ++j) {
@@ -309,9 +314,12 @@ void ElasticEnergy<D>::diagonal(std::vector<Mat<D>>& blocks) {
     using S = Stencil<D, K, 1>;
     for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int) {
       double local[S::nodes * symmetric] = {};
-      for (int i = block.batch_begin; i < block.batch_end; ++i)
-        scatter_diagonal<D, K>(tangent_.data() + at(i) * components, plan_.weights(i),
+      for (int i = block.batch_begin; i < block.batch_end; ++i) {
+        Wide<W> w[2 * D * K];
+        plan_.weights(i, w);
+        scatter_diagonal<D, K>(tangent_.data() + at(i) * components, w,
                                local + plan_.batches()[at(i)].node * symmetric);
+      }
       const std::int32_t* table = plan_.node_table(block);
       for (int n = 0; n < S::nodes; ++n) {
         if (table[n] < 0) continue;
@@ -337,9 +345,10 @@ void ElasticEnergy<D>::assemble(BlockMatrix<D>& H) {
       const std::int32_t* table = plan_.node_table(block);
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
         const Batch& batch = plan_.batches()[at(i)];
-        const Wide<W>* A = tangent_.data() + at(i) * components;
-        Wide<W> grad[count][D];
-        for (int n = 0; n < count; ++n) node_gradient<D, K>(plan_.weights(i), n, grad[n]);
+        const Narrow<W>* A = tangent_.data() + at(i) * components;
+        Wide<W> w[2 * D * K], grad[count][D];
+        plan_.weights(i, w);
+        for (int n = 0; n < count; ++n) node_gradient<D, K>(w, n, grad[n]);
         for (int n = 0; n < count; ++n) {
           Wide<W> T[D][D][D];
           contract<D>(A, grad[n], T);

@@ -57,7 +57,7 @@ class ElasticEnergy final : public Energy<D> {
   std::vector<Mat<D>> F_, P_;
   std::vector<double> psi_;
   std::vector<double> block_sum_;
-  std::vector<Wide<W>> tangent_;  ///< V_p^0 times the tangent with respect to F^, `components` a batch
+  std::vector<Narrow<W>> tangent_;  ///< V_p^0 times the tangent with respect to F^, `components` a batch
 };
 
 extern template class ElasticEnergy<2>;

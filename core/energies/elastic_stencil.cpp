@@ -21,9 +21,11 @@ class CellBlocks {
     for (int k = 0; k < D; ++k) place_[axes[static_cast<std::size_t>(k)]] = k;
   }
 
-  void compute(const Plan<D>& plan, int batch, const Wide<lane_count<D>>* tangent) {
+  void compute(const Plan<D>& plan, int batch, const Narrow<lane_count<D>>* tangent) {
     count_ = plan.batches()[static_cast<std::size_t>(batch)].count;
-    for (int lane = 0; lane < count_; ++lane) set_particle(plan.weights(batch), tangent, lane);
+    Wide<lane_count<D>> w[2 * D * K];
+    plan.weights(batch, w);
+    for (int lane = 0; lane < count_; ++lane) set_particle(w, tangent, lane);
   }
 
   /// Adds all blocks to the rows of the cell's nodes; node n of the layout's own axes is in row rows[n].
@@ -34,7 +36,7 @@ class CellBlocks {
   }
 
  private:
-  void set_particle(const Wide<lane_count<D>>* w, const Wide<lane_count<D>>* tangent, int p) {
+  void set_particle(const Wide<lane_count<D>>* w, const Narrow<lane_count<D>>* tangent, int p) {
     float N[2][D][K];  // N and its derivative, along the layout's axes
     for (int k = 0; k < D; ++k)
       for (int r = 0; r < K; ++r)
@@ -53,8 +55,7 @@ class CellBlocks {
     float A[D * D][D * D + lanes];
     for (int row = 0; row < D * D; ++row)
       for (int column = 0; column < D * D; ++column)
-        A[row][column] =
-            static_cast<float>(tangent[packed_tangent_index<D>(std::min(row, column), std::max(row, column))][p]);
+        A[row][column] = tangent[packed_tangent_index<D>(std::min(row, column), std::max(row, column))][p];
     for (int b = 0; b < D; ++b)
       for (int a = 0; a < D; ++a) {
         Lanes part[D];

@@ -23,8 +23,8 @@ double sharpness(int nodes_per_axis) {
 template <int D>
 double largest_speed2(const Law<D>& law, const Particles<D>& particles, std::size_t first, std::size_t last) {
   constexpr int components = tangent_components<D>;
-  alignas(64) double values[components * group] = {};
-  double* place[group];
+  alignas(64) float values[components * group] = {};
+  float* place[group];
   for (int k = 0; k < group; ++k) place[k] = values + k;
   double most = 0;
   for (; first < last; first += group) {

@@ -304,50 +304,46 @@ __attribute__((noinline)) Lane in_cells(const Lane& x, double inverse) {
 }  // namespace
 
 template <int D>
-void Plan<D>::compute_weights(const Particles<D>& particles, Parallel& parallel) {
-  const int K = nodes_per_axis(), edge = block_edge + K - 1;
-  const std::size_t stride = 2 * D * static_cast<std::size_t>(K);
-  weights_.resize(batches_.size() * stride);
-  const double inverse = 1 / spacing_;
+void Plan<D>::place(const Particles<D>& particles, Parallel& parallel) {
+  const int edge = block_edge + nodes_per_axis() - 1;
+  place_.resize(batches_.size() * D);
   parallel(static_cast<int>(blocks_.size()), [&](int b) {
     const Block<D>& block = blocks_[static_cast<std::size_t>(b)];
     for (int i = block.batch_begin; i < block.batch_end; ++i) {
       const Batch& batch = batches_[static_cast<std::size_t>(i)];
-      Wide<W>* out = weights_.data() + static_cast<std::size_t>(i) * stride;
-      Wide<W> x[D], inside{};
+      Wide<W> x[D];
       load_lanes<D>(particles.x[static_cast<std::size_t>(batch.first)].data(), batch.count, x);
-      for (int lane = 0; lane < batch.count; ++lane) inside[lane] = 1;
       int node = batch.node;
       for (int a = 0; a < D; ++a, node /= edge) {
         // All particles of a batch have the same first node.
         const auto base = static_cast<double>(block.corner[static_cast<std::size_t>(a)] + node % edge);
-        Wide<W> t = in_cells(x[a], inverse) - base;
+        Wide<W> t = in_cells(x[a], inverse_spacing_) - base;
         t = t < basis_->offset ? Wide<W>{} + basis_->offset : t;
         t = t > basis_->offset + 1 ? Wide<W>{} + (basis_->offset + 1) : t;
-        Wide<W>*const N = out + a * K, *const dN = out + (D + a) * K;
-        if constexpr (W == 4)
-          basis_->four(t, N, dN);
-        else
-          basis_->eight(t, N, dN);
-        for (int r = 0; r < K; ++r) {
-          N[r] *= inside;
-          dN[r] *= inside * inverse;
-        }
+        place_[static_cast<std::size_t>(i * D + a)] = t;
       }
     }
   });
 }
 
 template <int D>
+void Plan<D>::blank(Wide<W>* values, int n, int count) {
+  Wide<W> inside{};
+  for (int lane = 0; lane < count; ++lane) inside[lane] = 1;
+  for (int k = 0; k < n; ++k) values[k] *= inside;
+}
+
+template <int D>
 bool Plan<D>::build(Particles<D>& particles, const BasisInfo& basis, double spacing, Parallel& parallel) {
   basis_ = &basis;
   spacing_ = spacing;
+  inverse_spacing_ = 1 / spacing;
   Keys keys;
   if (!make_keys(particles, keys)) return false;
   sort(particles, keys);
   make_blocks(particles, keys);
   number_nodes();
-  compute_weights(particles, parallel);
+  place(particles, parallel);
   return true;
 }
 
@@ -374,7 +370,7 @@ int Plan<D>::find_node(const std::array<long long, D>& index) const {
 
 template <int D>
 std::size_t Plan<D>::bytes() const {
-  return weights_.size() * sizeof(Wide<W>) + node_of_.size() * 4 + batches_.size() * sizeof(Batch) +
+  return place_.size() * sizeof(Wide<W>) + node_of_.size() * 4 + batches_.size() * sizeof(Batch) +
          index_.size() * sizeof(index_[0]) + (key_.size() + key_scratch_.size()) * 8 +
          (order_.size() + order_scratch_.size()) * 4;
 }

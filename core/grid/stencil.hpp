@@ -62,6 +62,10 @@ struct Stencil {
   template <bool Value, bool Flux>
   static inline __attribute__((always_inline)) void scatter(const Lane* value, const Lane (*flux)[D], const Lane* N,
                                                             const Lane* dN, double* out) {
+    // A row of nodes is contiguous. What does not fill a multiple of four is summed when there is enough of it.
+    constexpr int rows = D == 3 ? K * K : K, whole = K * C / 4 * 4, single = K * C - whole;
+    Lane rest[rows * single + 1];
+#pragma GCC unroll 4
     for (int k = 0; k < (D == 3 ? K : 1); ++k) {
       Lane a[C], fx[C], fy[C];
       for (int c = 0; c < C; ++c) {
@@ -81,8 +85,9 @@ struct Stencil {
           }
         }
       }
+#pragma GCC unroll 4
       for (int j = 0; j < K; ++j) {
-        Lane row[K * C];  // a row of nodes is contiguous
+        Lane row[K * C];
         for (int c = 0; c < C; ++c) {
           Lane b = N[K + j] * a[c], bx{};
           if constexpr (Flux) {
@@ -94,8 +99,15 @@ struct Stencil {
             if constexpr (Flux) row[i * C + c] += dN[i] * bx;
           }
         }
-        add_lane_sums<K * C>(row, out + edge * (j + edge * k) * C);
+        if constexpr (whole > 0) add_lane_sums<whole>(row, out + edge * (j + edge * k) * C);
+        for (int s = 0; s < single; ++s) rest[(j + K * k) * single + s] = row[whole + s];
       }
+    }
+    if constexpr (single > 0) {
+      double sums[rows * single] = {};
+      add_lane_sums<rows * single>(rest, sums);
+      for (int r = 0; r < rows; ++r)
+        for (int s = 0; s < single; ++s) out[edge * (r % K + edge * (r / K)) * C + whole + s] += sums[r * single + s];
     }
   }
 };

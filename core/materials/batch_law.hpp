@@ -46,7 +46,7 @@ class BatchLaw final : public Law<D> {
   }
 
   void grid_tangent(std::span<const Mat<D>> F, std::span<const Mat<D>> F_n, std::span<const double> weight,
-                    bool project, std::span<double* const> place, int stride) const override {
+                    bool project, std::span<float* const> place, int stride) const override {
     assert(F.size() == F_n.size() && F.size() == weight.size() && F.size() == place.size());
     for_packs(F, [&](const Square<Pack, D>& F_pack, std::size_t first, std::size_t count) {
       const Square<Pack, D> F_n_pack = load(F_n.subspan(first, count));
@@ -58,7 +58,16 @@ class BatchLaw final : public Law<D> {
       }
       Pack scale{};
       for (std::size_t lane = 0; lane < count; ++lane) scale[static_cast<int>(lane)] = weight[first + lane];
-      store_tangent(A, scale, place.subspan(first, count), stride);
+      for (int column = 0; column < D * D; ++column)
+        for (int row = 0; row <= column; ++row) A(row, column) *= scale;
+      // Rounding moves a number by 2^-24 of itself at most, hence an eigenvalue of a positive semi-definite matrix by
+      // 2^-24 of the trace.
+      if (project) {
+        Pack trace{};
+        for (int k = 0; k < D * D; ++k) trace += A(k, k);
+        for (int k = 0; k < D * D; ++k) A(k, k) += 0x1p-24 * trace;
+      }
+      store_tangent(A, place.subspan(first, count), stride);
     });
   }
 
@@ -117,9 +126,9 @@ class BatchLaw final : public Law<D> {
     }
   }
 
-  /// scale A to the particles' places: whole packs or halves of one where places allow, else number by number.
-  static void store_tangent(const UpperTangent<Pack, D>& A, const Pack& scale, std::span<double* const> place,
-                            int stride) {
+  /// A to the particles' places: whole packs or halves of one where places allow, else number by number.
+  static void store_tangent(const UpperTangent<Pack, D>& A, std::span<float* const> place, int stride) {
+    typedef float Singles __attribute__((vector_size(width * sizeof(float))));
     const auto follow = [place](std::size_t first, std::size_t count) {
       for (std::size_t lane = 1; lane < count; ++lane)
         if (place[first + lane] != place[first] + lane) return false;
@@ -128,19 +137,19 @@ class BatchLaw final : public Law<D> {
     const auto each_component = [&](const auto& write) {
       for (int row = 0; row < D * D; ++row)
         for (int column = row; column < D * D; ++column)
-          write(Pack(scale * A(row, column)), packed_tangent_index<D>(row, column) * stride);
+          write(__builtin_convertvector(A(row, column), Singles), packed_tangent_index<D>(row, column) * stride);
     };
     constexpr std::size_t half = width / 2;
     if (place.size() == width && follow(0, width)) {
-      each_component([&](const Pack& x, int at) { std::memcpy(place[0] + at, &x, sizeof(Pack)); });
+      each_component([&](const Singles& x, int at) { std::memcpy(place[0] + at, &x, sizeof x); });
     } else if (place.size() == width && follow(0, half) && follow(half, half)) {
-      each_component([&](const Pack& x, int at) {
-        const double* values = reinterpret_cast<const double*>(&x);
-        std::memcpy(place[0] + at, values, sizeof(Pack) / 2);
-        std::memcpy(place[half] + at, values + half, sizeof(Pack) / 2);
+      each_component([&](const Singles& x, int at) {
+        const float* values = reinterpret_cast<const float*>(&x);
+        std::memcpy(place[0] + at, values, sizeof x / 2);
+        std::memcpy(place[half] + at, values + half, sizeof x / 2);
       });
     } else {
-      each_component([&](const Pack& x, int at) {
+      each_component([&](const Singles& x, int at) {
         for (std::size_t lane = 0; lane < place.size(); ++lane) place[lane][at] = x[static_cast<int>(lane)];
       });
     }

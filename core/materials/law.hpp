@@ -59,9 +59,11 @@ class Law {
   virtual void tangent(std::span<const Mat<D>> F, bool project, std::span<Tangent<D>> dP) const = 0;
   /// The same as Newton's matrix needs it (THEORY T4): weight_p d2psi/dF^dF^ at F = F^ F_n, that is
   /// weight_p (F_n (x) I) dP/dF (F_n (x) I)^T. Component packed_tangent_index(row, column) of particle p goes to
-  /// place[p][index * stride]; particles whose places follow one another are stored together.
+  /// place[p][index * stride]; particles whose places follow one another are stored together. Single precision: the
+  /// matrix is what conjugate gradients stream from memory, and Newton's method ends where the residual, in double,
+  /// does. What `project` makes stays positive semi-definite when it is rounded.
   virtual void grid_tangent(std::span<const Mat<D>> F, std::span<const Mat<D>> F_n, std::span<const double> weight,
-                            bool project, std::span<double* const> place, int stride) const = 0;
+                            bool project, std::span<float* const> place, int stride) const = 0;
   /// Cauchy stress sigma = P F^T / J as full 3 x 3 tensors [Pa]; in 2D sigma_zz of plane strain included.
   virtual void cauchy(std::span<const Mat<D>> F, std::span<Mat3> sigma) const = 0;
   /// The same of one particle; a batch costs a third to an eighth of that a particle.

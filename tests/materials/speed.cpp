@@ -32,8 +32,8 @@ struct Arrays {
   std::vector<Mat<D>> F, P = std::vector<Mat<D>>(count);
   std::vector<double> psi = std::vector<double>(count), weight = std::vector<double>(count, 1e-3);
   std::vector<Tangent<D>> dP = std::vector<Tangent<D>>(count);
-  std::vector<double> matrix = std::vector<double>(count * tangent_components<D>);
-  std::vector<double*> place;
+  std::vector<float> matrix = std::vector<float>(count * tangent_components<D>);
+  std::vector<float*> place;
 
   Arrays() {
     for (unsigned p = 0; p < count; ++p) {
