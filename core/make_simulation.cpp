@@ -28,17 +28,15 @@ double machine_memory() {
 
 double estimated_memory(const Scene& scene) {
   const int d = scene.dimension;
-  const BasisInfo* basis = find_basis(scene.grid.basis);
-  const int K = basis ? basis->nodes_per_axis : 3;
   double total = 0;
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     const double particles = estimated_particles(scene, k);
     const double per_cell = std::pow(scene.bodies[k].particles_per_axis, d);
-    // Particle arrays twice (one kept for roll-back), F, P, psi of the solve; weights and tangents in lanes; a
-    // snapshot.
-    const double vectors = 8.0 * d * 5 + 8.0 * d * d * 6 + 64;
+    // Particle arrays, order and a snapshot; what a step changes of them or the tangents, in one memory; places in
+    // cells.
+    const double vectors = 8.0 * d * 4 + 8.0 * d * d * 2.5 + 76;
     const double lanes = per_cell < lane_count<3> ? lane_count<3> / per_cell : 1.5;
-    const double solve = lanes * 8.0 * (2 * d * K + d * d * (d * d + 1) / 2.0);
+    const double solve = lanes * 8.0 * d + std::max(lanes * 4.0 * d * d * (d * d + 1) / 2.0, 8.0 * (3 * d + 2 * d * d));
     // About a dozen vectors of d components a node, and the block diagonal.
     const double nodes = (12.0 * 8 * d + 8.0 * d * d + 64) * 2 / per_cell;
     total += particles * (vectors + solve + nodes);

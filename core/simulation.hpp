@@ -53,6 +53,8 @@ class Simulation {
 
   virtual const Scene& scene() const = 0;
   virtual std::size_t particle_count() const = 0;
+  /// Of all particles [kg].
+  virtual double mass() const = 0;
   virtual double time() const = 0;
   /// Report of the newest accepted state; of the initial one before the first step.
   virtual const StepReport& report() const = 0;

@@ -59,15 +59,16 @@ void Kernels<D>::plan_and_transfers() {
   add("P2G, FLIP", {weights / 2 + vector_bytes(D) + 8, stencil_flops(D, K_, D + 1, true, false)},
       [&] { particles_to_grid(body_.plan, body_.particles, false, body_.parallel, body_.grid); });
   const std::unique_ptr<Transfer<D>> apic = make_transfer<D>("apic", 0), flip = make_transfer<D>("flip", 0.95);
+  const Motion<D> to = in_place(body_.particles);
   add("G2P velocities, APIC",
       {weights / 2 + 2 * vector_bytes(D) + matrix_bytes(D), stencil_flops(D, K_, D, true, true)},
-      [&] { apic->grid_to_particles(body_.plan, body_.grid, body_.particles, body_.parallel); });
+      [&] { apic->grid_to_particles(body_.plan, body_.grid, body_.particles, body_.parallel, to); });
   add("G2P velocities, FLIP", {weights / 2 + 2 * vector_bytes(D), 2 * stencil_flops(D, K_, D, true, false)},
-      [&] { flip->grid_to_particles(body_.plan, body_.grid, body_.particles, body_.parallel); });
+      [&] { flip->grid_to_particles(body_.plan, body_.grid, body_.particles, body_.parallel, to); });
   const Vector still = Vector::Zero(body_.grid.u.size());
   add("G2P positions and F",
       {weights + 2 * vector_bytes(D) + 2 * matrix_bytes(D), stencil_flops(D, K_, D, true, true) + 2 * D * D * D},
-      [&] { move_particles(body_.plan, still, body_.parallel, body_.particles); });
+      [&] { move_particles(body_.plan, still, body_.particles, body_.parallel, to); });
 }
 
 template <int D>

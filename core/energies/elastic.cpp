@@ -3,43 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/energies/elastic_kernels.hpp"
 #include "core/grid/records.hpp"
-#include "core/grid/stencil.hpp"
 
 namespace pf {
 
-namespace {
-
-std::size_t at(std::int32_t i) {
-  return static_cast<std::size_t>(i);
-}
-
-/// Gradients of the cell's node (ix, iy, iz), a lane a particle.
-template <int D, int K>
-inline void node_gradient(const Wide<lane_count<D>>* w, int n, Wide<lane_count<D>>* grad) {
-  const int ix = n % K, iy = n / K % K;
-  if constexpr (D == 2) {
-    grad[0] = w[D * K + ix] * w[K + iy];
-    grad[1] = w[ix] * w[D * K + K + iy];
-  } else {
-    const int iz = n / (K * K);
-    grad[0] = w[D * K + ix] * w[K + iy] * w[2 * K + iz];
-    grad[1] = w[ix] * w[D * K + K + iy] * w[2 * K + iz];
-    grad[2] = w[ix] * w[K + iy] * w[D * K + 2 * K + iz];
-  }
-}
-
-}  // namespace
-
 template <int D>
-void ElasticEnergy<D>::deform(const Block<D>& block, const Vector& u) {
+void ElasticEnergy<D>::deform(const double* local, Chunk& chunk) const {
   with_nodes_per_axis(plan_, [&](auto k) {
     constexpr int K = k;
     using S = Stencil<D, K, D>;
-    double local[S::nodes * D];
-    load_block<D, K, D>(plan_, block, u.data(), local);
-    for (int i = block.batch_begin; i < block.batch_end; ++i) {
-      const Batch& batch = plan_.batches()[at(i)];
+    for (int i = chunk.batch_begin; i < chunk.batch_end; ++i) {
+      const Batch& batch = plan_.batches()[index(i)];
       Wide<W> w[2 * D * K];
       plan_.weights(i, w);
       Wide<W> gradient[D][D];
@@ -47,22 +22,37 @@ void ElasticEnergy<D>::deform(const Block<D>& block, const Vector& u) {
       Wide<W> F_hat[D * D], F_n[D * D], F[D * D];
       for (int a = 0; a < D; ++a)
         for (int b = 0; b < D; ++b) F_hat[a + D * b] = a == b ? gradient[a][b] + 1.0 : gradient[a][b];
-      load_lanes<D * D>(particles_.F[at(batch.first)].data(), batch.count, F_n);
+      load_lanes<D * D>(particles_.F[index(batch.first)].data(), batch.count, F_n);
       multiply_lanes<D>(F_hat, F_n, F);
-      store_lanes<D * D>(F, batch.count, F_[at(batch.first)].data());
+      store_lanes<D * D>(F, batch.count, chunk.F[batch.first - chunk.begin].data());
     }
   });
 }
 
 template <int D>
-double ElasticEnergy<D>::block_energy(const Block<D>& block) {
-  for (int r = block.run_begin; r < block.run_end; ++r) {
-    const MaterialRun& run = plan_.runs()[at(r)];
-    const std::size_t n = at(run.end - run.begin);
-    laws_[run.material]->energy({F_.data() + run.begin, n}, {psi_.data() + run.begin, n});
-  }
+template <class Body>
+void ElasticEnergy<D>::for_each_deformed(const Block<D>& block, const Vector& u, Body&& body) const {
+  double local[most_block_nodes * D];
+  with_nodes_per_axis(plan_, [&](auto k) { load_block<D, k, D>(plan_, block, u.data(), local); });
+  for_each_chunk(plan_, block, [&](Chunk& chunk) {
+    deform(local, chunk);
+    body(chunk);
+  });
+}
+
+template <int D>
+std::vector<Mat<D>> ElasticEnergy<D>::deformed(const Vector& u) const {
+  std::vector<Mat<D>> F(particles_.size());
+  for (const Block<D>& block : plan_.blocks())
+    for_each_deformed(
+        block, u, [&](const Chunk& chunk) { std::copy_n(chunk.F, chunk.end - chunk.begin, F.begin() + chunk.begin); });
+  return F;
+}
+
+template <int D>
+double ElasticEnergy<D>::chunk_energy(const Chunk& chunk) const {
   double sum = 0;
-  for (int p = block.particle_begin; p < block.particle_end; ++p) sum += particles_.volume0[at(p)] * psi_[at(p)];
+  for (int p = chunk.begin; p < chunk.end; ++p) sum += particles_.volume0[index(p)] * chunk.psi[p - chunk.begin];
   return sum;
 }
 
@@ -75,31 +65,34 @@ double ElasticEnergy<D>::ordered_sum() const {
 
 template <int D>
 double ElasticEnergy<D>::value(const Vector& u) {
-  F_.resize(particles_.size());
-  psi_.resize(particles_.size());
   block_sum_.resize(plan_.blocks().size());
   for_each_block(plan_, parallel_, [&](const Block<D>& block, int b) {
-    deform(block, u);
-    block_sum_[at(b)] = block_energy(block);
+    double sum = 0;
+    for_each_deformed(block, u, [&](Chunk& chunk) {
+      for_each_material(plan_, block, chunk.begin, chunk.end, [&](std::uint16_t material, int first, std::size_t n) {
+        laws_[material]->energy({chunk.F + (first - chunk.begin), n}, {chunk.psi + (first - chunk.begin), n});
+      });
+      sum += chunk_energy(chunk);
+    });
+    block_sum_[index(b)] = sum;
   });
   work_.energy += particles_.size();
   return ordered_sum();
 }
 
 template <int D>
-void ElasticEnergy<D>::block_stress(const Block<D>& block, const std::vector<Mat<D>>& F) {
-  for (int r = block.run_begin; r < block.run_end; ++r) {
-    const MaterialRun& run = plan_.runs()[at(r)];
-    const std::size_t n = at(run.end - run.begin);
-    laws_[run.material]->stress({F.data() + run.begin, n}, {psi_.data() + run.begin, n}, {P_.data() + run.begin, n});
-  }
+void ElasticEnergy<D>::chunk_stress(const Block<D>& block, const Mat<D>* F, Chunk& chunk) const {
+  for_each_material(plan_, block, chunk.begin, chunk.end, [&](std::uint16_t material, int first, std::size_t n) {
+    const int at = first - chunk.begin;
+    laws_[material]->stress({F + at, n}, {chunk.psi + at, n}, {chunk.P + at, n});
+  });
 }
 
 template <int D>
-void ElasticEnergy<D>::batch_flux(const Batch& batch, Wide<W> (*flux)[D]) const {
+void ElasticEnergy<D>::batch_flux(const Batch& batch, const Mat<D>* stress, Wide<W> (*flux)[D]) const {
   Wide<W> P[D * D], F_n[D * D];
-  load_lanes<D * D>(P_[at(batch.first)].data(), batch.count, P);
-  load_lanes<D * D>(particles_.F[at(batch.first)].data(), batch.count, F_n);
+  load_lanes<D * D>(stress->data(), batch.count, P);
+  load_lanes<D * D>(particles_.F[index(batch.first)].data(), batch.count, F_n);
   const auto V = load_lane<Wide<W>>(particles_.volume0.data() + batch.first, batch.count);
   for (int a = 0; a < D; ++a)
     for (int c = 0; c < D; ++c) {
@@ -111,66 +104,95 @@ void ElasticEnergy<D>::batch_flux(const Batch& batch, Wide<W> (*flux)[D]) const 
 
 template <int D>
 void ElasticEnergy<D>::add_force_at_rest(Vector& g) {
-  psi_.resize(particles_.size());
-  P_.resize(particles_.size());
   with_nodes_per_axis(plan_, [&](auto k) {
     constexpr int K = k;
     using S = Stencil<D, K, D>;
     for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int) {
-      block_stress(block, particles_.F);
       double local[S::nodes * D] = {};
-      for (int i = block.batch_begin; i < block.batch_end; ++i) {
-        const Batch& batch = plan_.batches()[at(i)];
-        Wide<W> w[2 * D * K];
-        plan_.weights(i, w);
-        Wide<W> flux[D][D];
-        batch_flux(batch, flux);
-        S::template scatter<false, true>(nullptr, flux, w, w + D * K, local + batch.node * D);
-      }
+      for_each_chunk(plan_, block, [&](Chunk& chunk) {
+        chunk_stress(block, particles_.F.data() + chunk.begin, chunk);
+        for (int i = chunk.batch_begin; i < chunk.batch_end; ++i) {
+          const Batch& batch = plan_.batches()[index(i)];
+          Wide<W> w[2 * D * K];
+          plan_.weights(i, w);
+          Wide<W> flux[D][D];
+          batch_flux(batch, chunk.P + (batch.first - chunk.begin), flux);
+          S::template scatter<false, true>(nullptr, flux, w, w + D * K, local + batch.node * D);
+        }
+      });
       add_block<D, K, D>(plan_, block, local, g.data());
     });
   });
   work_.gradient += particles_.size();
 }
 
-template <int D>
-double ElasticEnergy<D>::gradient(const Vector& u, Vector& g, Vector& magnitude) {
-  F_.resize(particles_.size());
-  psi_.resize(particles_.size());
-  P_.resize(particles_.size());
-  block_sum_.resize(plan_.blocks().size());
-  for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int b) {
-    deform(block, u);
-    block_stress(block, F_);
-    double sum = 0;
-    for (int p = block.particle_begin; p < block.particle_end; ++p) sum += particles_.volume0[at(p)] * psi_[at(p)];
-    block_sum_[at(b)] = sum;
-    with_nodes_per_axis(plan_, [&](auto k) {
-      constexpr int K = k;
-      using S = Stencil<D, K, D>;
-      double local[S::nodes * D] = {};
-      double local_size[S::nodes] = {};
-      for (int i = block.batch_begin; i < block.batch_end; ++i) {
-        const Batch& batch = plan_.batches()[at(i)];
-        Wide<W> w[2 * D * K];
-        plan_.weights(i, w);
-        Wide<W> flux[D][D];
-        batch_flux(batch, flux);
-        S::template scatter<false, true>(nullptr, flux, w, w + D * K, local + batch.node * D);
-        // s_i: the sizes |V P F^nT grad N_i| are not linear, so there is no factorisation over the axes.
-        for (int n = 0; n < (D == 2 ? K * K : K * K * K); ++n) {
-          Wide<W> grad[D];
-          node_gradient<D, K>(w, n, grad);
-          Wide<W> square{};
-          for (int a = 0; a < D; ++a) {
-            Wide<W> f{};
-            for (int c = 0; c < D; ++c) f += flux[a][c] * grad[c];
-            square += f * f;
-          }
-          for (int lane = 0; lane < W; ++lane) square[lane] = __builtin_sqrt(square[lane]);
-          local_size[batch.node + n % K + S::edge * (n / K % K + S::edge * (n / (K * K)))] += sum_lanes(square);
+namespace {
+
+/// Adds s_i = |flux grad N_i| of a batch (THEORY T4) to the cell's nodes. Sizes are not linear, so there is no
+/// factorisation over the axes; roots are taken in single precision, of numbers made near one: a yardstick need not be
+/// exact.
+template <int D, int K>
+inline void scatter_sizes(const Wide<lane_count<D>> (*flux)[D], const Wide<lane_count<D>>* w, double* out) {
+  constexpr int lanes = lane_count<D>, edge = Stencil<D, K, 1>::edge, z = D - 1;
+  using Lane = Wide<lanes>;
+  Lane square{}, whole, T[D][D];
+  for (int a = 0; a < D; ++a)
+    for (int c = 0; c < D; ++c) square += flux[a][c] * flux[a][c];
+  for (int lane = 0; lane < lanes; ++lane) whole[lane] = __builtin_sqrt(square[lane]);
+  const Lane inverse = whole > 0 ? 1 / whole : Lane{};
+  for (int a = 0; a < D; ++a)
+    for (int c = 0; c < D; ++c) T[a][c] = flux[a][c] * inverse;
+  const Lane *const N = w, *const dN = w + D * K;
+  for (int k = 0; k < (D == 3 ? K : 1); ++k)
+    for (int j = 0; j < K; ++j) {
+      Lane along[D], across[D];  // what dN_i and N_i of the first axis are multiplied with
+      for (int a = 0; a < D; ++a) {
+        along[a] = T[a][0] * N[K + j];
+        across[a] = T[a][1] * dN[K + j];
+        if constexpr (D == 3) {
+          along[a] *= N[z * K + k];
+          across[a] = across[a] * N[z * K + k] + T[a][z] * (N[K + j] * dN[z * K + k]);
         }
       }
+      for (int i = 0; i < K; ++i) {
+        Lane sum{};
+        for (int a = 0; a < D; ++a) {
+          const Lane f = along[a] * dN[i] + across[a] * N[i];
+          sum += f * f;
+        }
+        Narrow<lanes> root = __builtin_convertvector(sum, Narrow<lanes>);
+        for (int lane = 0; lane < lanes; ++lane) root[lane] = __builtin_sqrtf(root[lane]);
+        out[i + edge * (j + edge * k)] += sum_lanes(Lane(whole * widen<lanes>(root)));
+      }
+    }
+}
+
+}  // namespace
+
+template <int D>
+double ElasticEnergy<D>::gradient(const Vector& u, Vector& g, Vector& magnitude) {
+  block_sum_.resize(plan_.blocks().size());
+  with_nodes_per_axis(plan_, [&](auto k) {
+    constexpr int K = k;
+    using S = Stencil<D, K, D>;
+    for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int b) {
+      double local[S::nodes * D] = {};
+      double local_size[S::nodes] = {};
+      double energy = 0;
+      for_each_deformed(block, u, [&](Chunk& chunk) {
+        chunk_stress(block, chunk.F, chunk);
+        energy += chunk_energy(chunk);
+        for (int i = chunk.batch_begin; i < chunk.batch_end; ++i) {
+          const Batch& batch = plan_.batches()[index(i)];
+          Wide<W> w[2 * D * K];
+          plan_.weights(i, w);
+          Wide<W> flux[D][D];
+          batch_flux(batch, chunk.P + (batch.first - chunk.begin), flux);
+          S::template scatter<false, true>(nullptr, flux, w, w + D * K, local + batch.node * D);
+          scatter_sizes<D, K>(flux, w, local_size + batch.node);
+        }
+      });
+      block_sum_[index(b)] = energy;
       add_block<D, K, D>(plan_, block, local, g.data());
       add_block<D, K, 1>(plan_, block, local_size, magnitude.data());
     });
@@ -180,33 +202,27 @@ double ElasticEnergy<D>::gradient(const Vector& u, Vector& g, Vector& magnitude)
 }
 
 template <int D>
-void ElasticEnergy<D>::block_tangents(const Block<D>& block, bool project) {
-  constexpr int group = 64;  // particles a call
-  float* place[group];
-  int i = block.batch_begin;
-  for (int r = block.run_begin; r < block.run_end; ++r) {
-    const MaterialRun& run = plan_.runs()[at(r)];
-    for (int first = run.begin; first < run.end; first += group) {
-      const int count = std::min(group, run.end - first);
-      for (int p = first; p < first + count; ++p) {
-        while (p >= plan_.batches()[at(i)].first + plan_.batches()[at(i)].count) ++i;
-        Narrow<W>* batch = tangent_.data() + at(i) * components;
-        place[p - first] = reinterpret_cast<float*>(batch) + (p - plan_.batches()[at(i)].first);
-      }
-      const std::size_t n = at(count);
-      laws_[run.material]->grid_tangent({F_.data() + first, n}, {particles_.F.data() + first, n},
-                                        {particles_.volume0.data() + first, n}, project, {place, n}, W);
-    }
+void ElasticEnergy<D>::chunk_tangents(const Block<D>& block, const Chunk& chunk, bool project) {
+  float* place[Chunk::most];
+  for (int i = chunk.batch_begin; i < chunk.batch_end; ++i) {
+    const Batch& batch = plan_.batches()[index(i)];
+    Narrow<W>* const to = tangent_ + index(i) * components;
+    if (batch.count < W) std::fill(to, to + components, Narrow<W>{});
+    for (int lane = 0; lane < batch.count; ++lane)
+      place[batch.first - chunk.begin + lane] = reinterpret_cast<float*>(to) + lane;
   }
+  for_each_material(plan_, block, chunk.begin, chunk.end, [&](std::uint16_t material, int first, std::size_t n) {
+    const int at = first - chunk.begin;
+    laws_[material]->grid_tangent({chunk.F + at, n}, {particles_.F.data() + first, n},
+                                  {particles_.volume0.data() + first, n}, project, {place + at, n}, W);
+  });
 }
 
 template <int D>
-void ElasticEnergy<D>::prepare_hessian(const Vector&, bool project) {
-  tangent_.resize(plan_.batches().size() * components);
+void ElasticEnergy<D>::prepare_hessian(const Vector& u, bool project) {
+  tangent_ = scratch_.take<Narrow<W>>(plan_.batches().size() * components);
   for_each_block(plan_, parallel_, [&](const Block<D>& block, int) {
-    std::fill(tangent_.begin() + block.batch_begin * components, tangent_.begin() + block.batch_end * components,
-              Narrow<W>{});
-    block_tangents(block, project);
+    for_each_deformed(block, u, [&](const Chunk& chunk) { chunk_tangents(block, chunk, project); });
   });
   work_.tangent += particles_.size();
 }
@@ -221,10 +237,14 @@ void ElasticEnergy<D>::hessian_product(const Vector& p, Vector& Hp) {
       double local[S::nodes * D], result[S::nodes * D] = {};
       load_block<D, K, D>(plan_, block, p.data(), local);
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
-        const Batch& batch = plan_.batches()[at(i)];
+        const Batch& batch = plan_.batches()[index(i)];
         Wide<W> w[2 * D * K];
         plan_.weights(i, w);
-        const Narrow<W>* A = tangent_.data() + at(i) * components;
+        const Narrow<W>* const A = tangent_ + index(i) * components;
+        // The tangents are most of what comes from memory.
+        constexpr int ahead = 2 * components * sizeof(Narrow<W>), line = 64;
+        for (int byte = 0; byte < components * static_cast<int>(sizeof(Narrow<W>)); byte += line)
+          __builtin_prefetch(reinterpret_cast<const char*>(A) + ahead + byte);
         Wide<W> gradient[D][D];
         S::template gather<false, true>(local + batch.node * D, w, w + D * K, nullptr, gradient);
         // Each number of the symmetric tangent is read once and used twice.
@@ -243,132 +263,6 @@ void ElasticEnergy<D>::hessian_product(const Vector& p, Vector& Hp) {
     });
   });
   work_.hessian_product += particles_.size();
-}
-
-namespace {
-
-/// T[a][c][b] = sum_d A_{ab,cd} grad_d: half of the contraction of a tangent with two gradients.
-template <int D>
-inline void contract(const Narrow<lane_count<D>>* A, const Wide<lane_count<D>>* grad, Wide<lane_count<D>> (*T)[D][D]) {
-  for (int a = 0; a < D; ++a)
-    for (int c = 0; c < D; ++c)
-      for (int b = 0; b < D; ++b) {
-        Wide<lane_count<D>> sum{};
-        for (int d = 0; d < D; ++d) {
-          const int row = a + D * b, column = c + D * d;
-          sum +=
-              widen<lane_count<D>>(A[packed_tangent_index<D>(std::min(row, column), std::max(row, column))]) * grad[d];
-        }
-        T[a][c][b] = sum;
-      }
-}
-
-}  // namespace
-
-/// The diagonal blocks of one batch, upper halves row by row, added to the cell's nodes `out`. grad_b grad_d of a node
-/// is a product of N^2, N N' and N'^2 of the axes, so one axis after the other, as in core/grid/stencil.hpp.
-template <int D, int K>
-inline void scatter_diagonal(const Narrow<lane_count<D>>* A, const Wide<lane_count<D>>* w, double* out) {
-  using Lane = Wide<lane_count<D>>;
-  constexpr int C = D * (D + 1) / 2, edge = Stencil<D, K, 1>::edge, z = D - 1;
-  Lane NN[D * K], Nd[D * K], dd[D * K];
-  for (int r = 0; r < D * K; ++r) {
-    NN[r] = w[r] * w[r];
-    Nd[r] = w[r] * w[D * K + r];
-    dd[r] = w[D * K + r] * w[D * K + r];
-  }
-  // Of grad_b grad_d, b <= d, in each component.
-  Lane part[D][D][C];
-  for (int b = 0; b < D; ++b)
-    for (int d = b; d < D; ++d)
-      for (int a = 0, m = 0; a < D; ++a)
-        for (int c = a; c < D; ++c, ++m) {
-          const int p = a + D * b, q = c + D * d, r = a + D * d, s = c + D * b;
-          part[b][d][m] = widen<lane_count<D>>(A[packed_tangent_index<D>(std::min(p, q), std::max(p, q))]);
-          if (b != d) part[b][d][m] += widen<lane_count<D>>(A[packed_tangent_index<D>(std::min(r, s), std::max(r, s))]);
-        }
-  for (int k = 0; k < (D == 3 ? K : 1); ++k)
-    for (int j = 0; j < K; ++j) {
-      Lane row[K * C];
-      for (int m = 0; m < C; ++m) {
-        Lane xx = part[0][0][m], xy = part[0][1][m], yy = part[1][1][m], x0{}, y0{}, zz{};
-        if constexpr (D == 3) {
-          xx *= NN[z * K + k], xy *= NN[z * K + k], yy *= NN[z * K + k];
-          x0 = part[0][z][m] * Nd[z * K + k];
-          y0 = part[1][z][m] * Nd[z * K + k];
-          zz = part[z][z][m] * dd[z * K + k];
-        }
-        const Lane of_dd = xx * NN[K + j], of_Nd = xy * Nd[K + j] + x0 * NN[K + j];
-        const Lane of_NN = yy * dd[K + j] + y0 * Nd[K + j] + zz * NN[K + j];
-        for (int i = 0; i < K; ++i) row[i * C + m] = of_dd * dd[i] + of_Nd * Nd[i] + of_NN * NN[i];
-      }
-      add_lane_sums<K * C>(row, out + edge * (j + edge * k) * C);
-    }
-}
-
-template <int D>
-void ElasticEnergy<D>::diagonal(std::vector<Mat<D>>& blocks) {
-  constexpr int symmetric = D * (D + 1) / 2;
-  with_nodes_per_axis(plan_, [&](auto k) {
-    constexpr int K = k;
-    using S = Stencil<D, K, 1>;
-    for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int) {
-      double local[S::nodes * symmetric] = {};
-      for (int i = block.batch_begin; i < block.batch_end; ++i) {
-        Wide<W> w[2 * D * K];
-        plan_.weights(i, w);
-        scatter_diagonal<D, K>(tangent_.data() + at(i) * components, w,
-                               local + plan_.batches()[at(i)].node * symmetric);
-      }
-      const std::int32_t* table = plan_.node_table(block);
-      for (int n = 0; n < S::nodes; ++n) {
-        if (table[n] < 0) continue;
-        Mat<D>& H = blocks[at(table[n])];
-        int m = n * symmetric;
-        for (int a = 0; a < D; ++a)
-          for (int c = a; c < D; ++c, ++m) {
-            H(a, c) += local[m];
-            if (a != c) H(c, a) += local[m];
-          }
-      }
-    });
-  });
-  work_.diagonal += particles_.size();
-}
-
-template <int D>
-void ElasticEnergy<D>::assemble(BlockMatrix<D>& H) {
-  with_nodes_per_axis(plan_, [&](auto k) {
-    constexpr int K = k, count = D == 2 ? K * K : K * K * K;
-    constexpr int edge = Stencil<D, K, 1>::edge;
-    for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int) {
-      const std::int32_t* table = plan_.node_table(block);
-      for (int i = block.batch_begin; i < block.batch_end; ++i) {
-        const Batch& batch = plan_.batches()[at(i)];
-        const Narrow<W>* A = tangent_.data() + at(i) * components;
-        Wide<W> w[2 * D * K], grad[count][D];
-        plan_.weights(i, w);
-        for (int n = 0; n < count; ++n) node_gradient<D, K>(w, n, grad[n]);
-        for (int n = 0; n < count; ++n) {
-          Wide<W> T[D][D][D];
-          contract<D>(A, grad[n], T);
-          const std::int32_t column = table[batch.node + n % K + edge * (n / K % K + edge * (n / (K * K)))];
-          for (int m = 0; m < count; ++m) {
-            const std::int32_t row = table[batch.node + m % K + edge * (m / K % K + edge * (m / (K * K)))];
-            if (row < column) continue;
-            Mat<D>& h = H.at(row, column);
-            for (int a = 0; a < D; ++a)
-              for (int c = 0; c < D; ++c) {
-                Wide<W> sum{};
-                for (int b = 0; b < D; ++b) sum += T[a][c][b] * grad[m][b];
-                h(a, c) += sum_lanes(sum);
-              }
-          }
-        }
-      }
-    });
-  });
-  work_.assembly += particles_.size();
 }
 
 template class ElasticEnergy<2>;

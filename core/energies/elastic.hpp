@@ -9,6 +9,7 @@
 #include "core/grid/particles.hpp"
 #include "core/grid/plan.hpp"
 #include "core/materials/law.hpp"
+#include "core/math/scratch.hpp"
 #include "core/step_report.hpp"
 
 namespace pf {
@@ -17,11 +18,20 @@ template <int D>
 using Laws = std::vector<std::unique_ptr<Law<D>>>;  ///< one a material
 
 template <int D>
+struct ElasticChunk;
+
+template <int D>
 class ElasticEnergy final : public Energy<D> {
  public:
-  /// All are referred to, none is copied; they outlive this.
-  ElasticEnergy(const Plan<D>& plan, const Particles<D>& particles, const Laws<D>& laws, Parallel& parallel, Work& work)
-      : plan_(plan), particles_(particles), laws_(laws), parallel_(parallel), work_(work) {}
+  /// All are referred to, none is copied; they outlive this. `scratch` holds the tangents; null: memory of its own.
+  ElasticEnergy(const Plan<D>& plan, const Particles<D>& particles, const Laws<D>& laws, Parallel& parallel, Work& work,
+                Scratch* scratch = nullptr)
+      : plan_(plan),
+        particles_(particles),
+        laws_(laws),
+        parallel_(parallel),
+        work_(work),
+        scratch_(scratch ? *scratch : own_scratch_) {}
 
   double value(const Vector& u) override;
   double gradient(const Vector& u, Vector& g, Vector& magnitude) override;
@@ -33,20 +43,29 @@ class ElasticEnergy final : public Energy<D> {
 
   /// g += dE/du at u = 0, where F_p = F_p^n: nothing is gathered. What an explicit step needs.
   void add_force_at_rest(Vector& g);
-  /// F_p(x^) of the newest evaluation.
-  const std::vector<Mat<D>>& F() const { return F_; }
+  /// F_p(x^), a particle each.
+  std::vector<Mat<D>> deformed(const Vector& u) const;
 
  private:
   static constexpr int W = lane_count<D>;
   static constexpr int components = tangent_components<D>;
 
-  void deform(const Block<D>& block, const Vector& u);
-  double block_energy(const Block<D>& block);
-  /// psi and P of a block's particles.
-  void block_stress(const Block<D>& block, const std::vector<Mat<D>>& F);
+  /// Of a block's nodes, for the most that a basis has.
+  static constexpr int most_edge = block_edge + max_nodes_per_axis - 1;
+  static constexpr int most_block_nodes = D == 2 ? most_edge * most_edge : most_edge * most_edge * most_edge;
+  using Chunk = ElasticChunk<D>;
+
+  /// body(chunk) for the block's particles at u, chunk.F filled in.
+  template <class Body>
+  void for_each_deformed(const Block<D>& block, const Vector& u, Body&& body) const;
+  /// chunk.F from the block's own displacements.
+  void deform(const double* local, Chunk& chunk) const;
+  double chunk_energy(const Chunk& chunk) const;
+  /// chunk.psi and chunk.P at F, which starts with the chunk's first particle.
+  void chunk_stress(const Block<D>& block, const Mat<D>* F, Chunk& chunk) const;
   /// V_p^0 P_p F_p^nT, a lane a particle.
-  void batch_flux(const Batch& batch, Wide<W> (*flux)[D]) const;
-  void block_tangents(const Block<D>& block, bool project);
+  void batch_flux(const Batch& batch, const Mat<D>* stress, Wide<W> (*flux)[D]) const;
+  void chunk_tangents(const Block<D>& block, const Chunk& chunk, bool project);
   double ordered_sum() const;
 
   const Plan<D>& plan_;
@@ -54,10 +73,10 @@ class ElasticEnergy final : public Energy<D> {
   const Laws<D>& laws_;
   Parallel& parallel_;
   Work& work_;
-  std::vector<Mat<D>> F_, P_;
-  std::vector<double> psi_;
+  Scratch own_scratch_;
+  Scratch& scratch_;
   std::vector<double> block_sum_;
-  std::vector<Narrow<W>> tangent_;  ///< V_p^0 times the tangent with respect to F^, `components` a batch
+  Narrow<W>* tangent_ = nullptr;  ///< V_p^0 times the tangent with respect to F^, `components` a batch
 };
 
 extern template class ElasticEnergy<2>;

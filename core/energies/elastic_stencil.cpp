@@ -148,7 +148,7 @@ bool ElasticEnergy<D>::assemble_stencil(StencilMatrix<D>& H, const std::vector<s
         std::int32_t rows[Blocks::nodes];
         for (int n = 0; n < Blocks::nodes; ++n)
           rows[n] = row_of[static_cast<std::size_t>(table[batch.node + offset[n]])];
-        blocks.compute(plan_, i, tangent_.data() + static_cast<std::size_t>(i) * components);
+        blocks.compute(plan_, i, tangent_ + static_cast<std::size_t>(i) * components);
         blocks.add_to(H, rows);
       }
     });

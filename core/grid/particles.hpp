@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/math/scratch.hpp"
 #include "core/types.hpp"
 
 namespace pf {
@@ -33,5 +34,34 @@ struct Particles {
     f(X), f(x), f(v), f(F), f(C), f(mass), f(volume0), f(id), f(body), f(material);
   }
 };
+
+/// Where a step puts what it changes of the particles, in their order: themselves, or memory that is read once, by the
+/// next plan. Until then nothing of the particles has changed, and a step that comes to nothing is forgotten.
+template <int D>
+struct Motion {
+  Vec<D>*x, *v;
+  Mat<D>* F;
+  Mat<D>* C;  ///< null: stays what it is
+  /// Room for a Vec<D> a particle, for sorting; null: it is allocated.
+  Vec<D>* spare = nullptr;
+};
+
+template <int D>
+Motion<D> in_place(Particles<D>& particles) {
+  return {particles.x.data(), particles.v.data(), particles.F.data(), particles.C.data()};
+}
+/// In `scratch`; `affine`: C changes too.
+template <int D>
+Motion<D> apart(std::size_t particles, bool affine, Scratch& scratch) {
+  const std::size_t n = (particles + 7) / 8 * 8;  // each array begins aligned
+  auto* const numbers = scratch.take<double>(n * (3 * D + (affine ? 2 : 1) * D * D));
+  Motion<D> motion;
+  motion.x = reinterpret_cast<Vec<D>*>(numbers);
+  motion.v = reinterpret_cast<Vec<D>*>(numbers + n * D);
+  motion.spare = reinterpret_cast<Vec<D>*>(numbers + n * 2 * D);
+  motion.F = reinterpret_cast<Mat<D>*>(numbers + n * 3 * D);
+  motion.C = affine ? reinterpret_cast<Mat<D>*>(numbers + n * (3 * D + D * D)) : nullptr;
+  return motion;
+}
 
 }  // namespace pf

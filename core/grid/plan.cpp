@@ -3,139 +3,11 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
+#include "core/grid/plan_keys.hpp"
 #include "core/grid/records.hpp"
 
 namespace pf {
-
-namespace {
-
-constexpr int edge_bits = 2;  // block_edge == 4
-static_assert(block_edge == 1 << edge_bits);
-
-/// Bits that hold any value in [0, n].
-int bits_for(std::uint64_t n) {
-  return std::max(1, static_cast<int>(std::bit_width(n)));
-}
-
-}  // namespace
-
-/// The sort key packs, from the top: block (z, y, x), cell in the block (z, y, x), material.
-template <int D>
-struct Plan<D>::Keys {
-  std::array<long long, D> origin{};  ///< lattice coordinate of block (0, 0, 0), a multiple of block_edge
-  std::array<int, D> block_bits{};
-  int material_bits = 0;
-  int total_bits = 0;
-
-  std::uint64_t pack(const std::array<long long, D>& base, std::uint16_t material) const {
-    std::uint64_t block = 0, cell = 0;
-    for (int a = D - 1; a >= 0; --a) {
-      const auto r =
-          static_cast<std::uint64_t>(base[static_cast<std::size_t>(a)] - origin[static_cast<std::size_t>(a)]);
-      block = block << block_bits[static_cast<std::size_t>(a)] | r >> edge_bits;
-      cell = cell << edge_bits | (r & (block_edge - 1));
-    }
-    return ((block << (D * edge_bits) | cell) << material_bits) | material;
-  }
-  std::uint64_t block_of(std::uint64_t key) const { return key >> (material_bits + D * edge_bits); }
-  std::uint64_t cell_of(std::uint64_t key) const { return (key >> material_bits) & ((1u << (D * edge_bits)) - 1); }
-  std::array<long long, D> corner(std::uint64_t block) const {
-    std::array<long long, D> c{};
-    for (std::size_t a = 0; a < D; ++a) {
-      c[a] = origin[a] + (static_cast<long long>(block & ((1ull << block_bits[a]) - 1)) << edge_bits);
-      block >>= block_bits[a];
-    }
-    return c;
-  }
-};
-
-template <int D>
-bool Plan<D>::make_keys(const Particles<D>& particles, Keys& keys) const {
-  const double inverse = 1 / spacing_;
-  std::array<double, D> low{}, high{};
-  low.fill(std::numeric_limits<double>::infinity());
-  high.fill(-std::numeric_limits<double>::infinity());
-  for (const Vec<D>& x : particles.x)
-    for (int a = 0; a < D; ++a) {
-      const auto k = static_cast<std::size_t>(a);
-      if (!std::isfinite(x[a])) return false;
-      low[k] = std::min(low[k], x[a]);
-      high[k] = std::max(high[k], x[a]);
-    }
-  int bits = D * edge_bits;
-  double N[max_nodes_per_axis], dN[max_nodes_per_axis];
-  for (std::size_t a = 0; a < D; ++a) {
-    if (std::max(std::abs(low[a]), std::abs(high[a])) * inverse > 1e15) return false;
-    long long first = 0, last = 0;
-    basis_->weights(low[a] * inverse, first, N, dN);
-    basis_->weights(high[a] * inverse, last, N, dN);
-    // A cell more on either side: rounding may place a particle on a cell's face differently elsewhere.
-    keys.origin[a] = (first - 1) & ~static_cast<long long>(block_edge - 1);
-    keys.block_bits[a] = bits_for(static_cast<std::uint64_t>(last + 1 - keys.origin[a]) >> edge_bits);
-    bits += keys.block_bits[a];
-  }
-  std::uint16_t materials = 0;
-  for (const std::uint16_t m : particles.material) materials = std::max(materials, m);
-  keys.material_bits = materials == 0 ? 0 : bits_for(materials);
-  keys.total_bits = bits + keys.material_bits;
-  return keys.total_bits < 64;
-}
-
-namespace {
-
-/// Stable sort of (key, order) by the low `bits` of key: least significant digit first.
-void radix_sort(std::vector<std::uint64_t>& key, std::vector<std::uint32_t>& order,
-                std::vector<std::uint64_t>& key_scratch, std::vector<std::uint32_t>& order_scratch, int bits) {
-  constexpr int digit = 11;
-  const std::size_t n = key.size();
-  key_scratch.resize(n);
-  order_scratch.resize(n);
-  for (int shift = 0; shift < bits; shift += digit) {
-    std::array<std::uint32_t, (1u << digit) + 1> start{};
-    for (const std::uint64_t k : key) ++start[((k >> shift) & ((1u << digit) - 1)) + 1];
-    std::partial_sum(start.begin(), start.end(), start.begin());
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::uint32_t to = start[(key[i] >> shift) & ((1u << digit) - 1)]++;
-      key_scratch[to] = key[i];
-      order_scratch[to] = order[i];
-    }
-    key.swap(key_scratch);
-    order.swap(order_scratch);
-  }
-}
-
-template <class T>
-void permute(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
-  std::vector<T> sorted(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i) sorted[i] = values[order[i]];
-  values.swap(sorted);
-}
-
-}  // namespace
-
-template <int D>
-void Plan<D>::sort(Particles<D>& particles, Keys& keys) {
-  const std::size_t n = particles.size();
-  const double inverse = 1 / spacing_;
-  key_.resize(n);
-  order_.resize(n);
-  const double offset = basis_->offset;
-  bool sorted = true;
-  for (std::size_t p = 0; p < n; ++p) {
-    std::array<long long, D> base{};
-    for (int a = 0; a < D; ++a)
-      base[static_cast<std::size_t>(a)] = static_cast<long long>(std::floor(particles.x[p][a] * inverse - offset));
-    key_[p] = keys.pack(base, particles.material[p]);
-    sorted = sorted && (p == 0 || key_[p - 1] <= key_[p]);
-  }
-  if (sorted) return;
-  std::iota(order_.begin(), order_.end(), 0u);
-  radix_sort(key_, order_, key_scratch_, order_scratch_, keys.total_bits);
-  particles.each([&](auto& values) { permute(values, order_); });
-}
 
 template <int D>
 void Plan<D>::make_blocks(const Particles<D>& particles, const Keys& keys) {
@@ -145,7 +17,6 @@ void Plan<D>::make_blocks(const Particles<D>& particles, const Keys& keys) {
   runs_.clear();
   for (auto& list : colours_) list.clear();
   const auto n = static_cast<std::int32_t>(particles.size());
-  constexpr std::int32_t longest_run = 128;
   for (std::int32_t begin = 0; begin < n;) {
     const std::uint64_t block_key = keys.block_of(key_[static_cast<std::size_t>(begin)]);
     Block<D> block{};
@@ -334,23 +205,18 @@ void Plan<D>::blank(Wide<W>* values, int n, int count) {
 }
 
 template <int D>
-bool Plan<D>::build(Particles<D>& particles, const BasisInfo& basis, double spacing, Parallel& parallel) {
+bool Plan<D>::build(Particles<D>& particles, const Motion<D>& moved, const BasisInfo& basis, double spacing,
+                    Parallel& parallel) {
   basis_ = &basis;
   spacing_ = spacing;
   inverse_spacing_ = 1 / spacing;
   Keys keys;
-  if (!make_keys(particles, keys)) return false;
-  sort(particles, keys);
+  if (!make_keys(particles, moved.x, keys)) return false;
+  sort(particles, moved, keys, parallel);
   make_blocks(particles, keys);
   number_nodes();
   place(particles, parallel);
   return true;
-}
-
-template <int D>
-bool Plan<D>::can_index(const Particles<D>& particles) const {
-  Keys keys;
-  return make_keys(particles, keys);
 }
 
 template <int D>
@@ -371,8 +237,7 @@ int Plan<D>::find_node(const std::array<long long, D>& index) const {
 template <int D>
 std::size_t Plan<D>::bytes() const {
   return place_.size() * sizeof(Wide<W>) + node_of_.size() * 4 + batches_.size() * sizeof(Batch) +
-         index_.size() * sizeof(index_[0]) + (key_.size() + key_scratch_.size()) * 8 +
-         (order_.size() + order_scratch_.size()) * 4;
+         index_.size() * sizeof(index_[0]) + key_.size() * 8 + order_.size() * 4;
 }
 
 template class Plan<2>;

@@ -24,7 +24,8 @@ struct Batch {
   std::int16_t node;  ///< the cell's first node in the block's own lattice
 };
 
-/// Consecutive particles of one material, for one call of its law.
+/// Consecutive particles of one material, for one call of its law: at most `longest_run`.
+inline constexpr std::int32_t longest_run = 128;
 struct MaterialRun {
   std::int32_t begin, end;
   std::uint16_t material;
@@ -55,10 +56,15 @@ class Plan {
 
   /// Sorts `particles` by block and cell (their order changes; ids stay), numbers the active nodes and computes the
   /// weights. False when a position is not finite or the particles are too far apart to be indexed.
-  bool build(Particles<D>& particles, const BasisInfo& basis, double spacing, Parallel& parallel);
+  bool build(Particles<D>& particles, const BasisInfo& basis, double spacing, Parallel& parallel) {
+    return build(particles, in_place(particles), basis, spacing, parallel);
+  }
+  /// The same of particles that have moved: they become what `moved` holds.
+  bool build(Particles<D>& particles, const Motion<D>& moved, const BasisInfo& basis, double spacing,
+             Parallel& parallel);
 
-  /// Whether build() could index these positions with the basis and spacing of the newest build.
-  bool can_index(const Particles<D>& particles) const;
+  /// Whether build() could index particles at these positions with the basis and spacing of the newest build.
+  bool can_index(const Particles<D>& particles, const Vec<D>* x) const;
 
   int nodes_per_axis() const { return basis_->nodes_per_axis; }
   const BasisInfo& basis() const { return *basis_; }
@@ -100,8 +106,9 @@ class Plan {
 
  private:
   struct Keys;
-  bool make_keys(const Particles<D>& particles, Keys& keys) const;
-  void sort(Particles<D>& particles, Keys& keys);
+  bool make_keys(const Particles<D>& particles, const Vec<D>* x, Keys& keys) const;
+  void sort(Particles<D>& particles, const Motion<D>& moved, Keys& keys, Parallel& parallel);
+  void permute(Particles<D>& particles, const Motion<D>& moved, Parallel& parallel) const;
   void make_blocks(const Particles<D>& particles, const Keys& keys);
   void number_nodes();
   void place(const Particles<D>& particles, Parallel& parallel);
@@ -119,8 +126,8 @@ class Plan {
   std::array<std::vector<int>, 1 << D> colours_;
   std::vector<std::int32_t> node_of_;
   std::vector<Wide<W>> place_;  ///< x / dx - base of each axis, D a batch
-  std::vector<std::uint64_t> key_, key_scratch_;
-  std::vector<std::uint32_t> order_, order_scratch_;
+  std::vector<std::uint64_t> key_;
+  std::vector<std::uint32_t> order_;
 };
 
 extern template class Plan<2>;

@@ -135,9 +135,7 @@ ordered_json SummaryWriter::document(const Simulation& simulation, const RunResu
   ordered_json text{{"format", "pushforward/summary"}, {"status", name(result.end)}};
   if (result.end == RunEnd::failed) text["failure"] = result.last_attempt.failure;
   text["particles"] = simulation.particle_count();
-  double mass = 0;
-  for (const ParticleState& particle : simulation.particles()) mass += particle.mass;
-  text["mass"] = mass;
+  text["mass"] = simulation.mass();
   text["first_step"] = first_step_;
   text["totals"] = {{"steps", totals_.steps},
                     {"newton_iterations", totals_.newton_iterations},

@@ -35,7 +35,7 @@ template <int D>
 Balance block_balance(const Particles<D>& particles, const Laws<D>& laws, const Plan<D>& plan, const Block<D>& block,
                       bool affine, const Vec<D>& gravity) {
   Balance b;
-  double psi[128];
+  double psi[longest_run];
   for (int r = block.run_begin; r < block.run_end; ++r) {
     const MaterialRun& run = plan.runs()[static_cast<std::size_t>(r)];
     const auto n = static_cast<std::size_t>(run.end - run.begin);
@@ -88,13 +88,13 @@ Vec3 grid_angular_momentum(const Plan<D>& plan, const Vector& u, const Vector& m
 }
 
 template <int D>
-StateCheck check_state(const Particles<D>& particles) {
+StateCheck check_state(const Particles<D>& particles, const Motion<D>& moved) {
   StateCheck check;
   check.min_J = INFINITY;
   check.max_J = -INFINITY;
   for (std::size_t p = 0; p < particles.size(); ++p) {
-    const double J = particles.F[p].determinant(), speed = particles.v[p].norm();
-    if (!std::isfinite(J) || !std::isfinite(speed) || !particles.x[p].allFinite()) {
+    const double J = moved.F[p].determinant(), speed = moved.v[p].norm();
+    if (!std::isfinite(J) || !std::isfinite(speed) || !moved.x[p].allFinite()) {
       check.finite = false;
       check.worst = particles.id[p];
       return check;
@@ -111,7 +111,7 @@ StateCheck check_state(const Particles<D>& particles) {
   template Balance particle_balance<D>(const Particles<D>&, const Laws<D>&, const Plan<D>&, bool, const Vec<D>&, \
                                        Parallel&);                                                               \
   template Vec3 grid_angular_momentum<D>(const Plan<D>&, const Vector&, const Vector&);                          \
-  template StateCheck check_state<D>(const Particles<D>&);
+  template StateCheck check_state<D>(const Particles<D>&, const Motion<D>&);
 PF_INSTANTIATE(2)
 PF_INSTANTIATE(3)
 #undef PF_INSTANTIATE

@@ -23,6 +23,6 @@ struct StateCheck {
   std::uint32_t worst = 0;  ///< id of the particle with the smallest J, or of the first that is not finite
 };
 template <int D>
-StateCheck check_state(const Particles<D>& particles);
+StateCheck check_state(const Particles<D>& particles, const Motion<D>& moved);
 
 }  // namespace pf

@@ -69,32 +69,29 @@ void SimulationOf<D>::capture_fields(const SnapshotRequest& request, Snapshot& i
       values(info.field).resize(n);
     else
       values(info.field).clear();
-  std::vector<double> psi;
-  if (wanted(Field::energy_density)) {
-    psi.resize(n);
-    for (const MaterialRun& run : plan_.runs()) {
-      const auto count = static_cast<std::size_t>(run.end - run.begin);
-      laws_[run.material]->energy({particles_.F.data() + run.begin, count}, {psi.data() + run.begin, count});
-    }
-  }
   std::vector<double> error;
   if (wanted(Field::error)) {
     error.assign(n, 0);
     if (known_.known()) known_.displacement_errors(particles_, time_, error);
   }
-  const bool stress = wanted(Field::von_mises) || wanted(Field::pressure);
-  std::vector<Mat3> sigma(stress ? n : 0);
+  const bool stress = wanted(Field::von_mises) || wanted(Field::pressure), energy = wanted(Field::energy_density);
   for (const MaterialRun& run : plan_.runs()) {
-    if (!stress) break;
-    const auto count = static_cast<std::size_t>(run.end - run.begin);
-    laws_[run.material]->cauchy({particles_.F.data() + run.begin, count}, {sigma.data() + run.begin, count});
+    if (!stress && !energy) break;
+    double psi[longest_run];
+    Mat3 sigma[longest_run];
+    const auto first = static_cast<std::size_t>(run.begin), count = static_cast<std::size_t>(run.end - run.begin);
+    const std::span<const Mat<D>> F{particles_.F.data() + first, count};
+    if (energy) laws_[run.material]->energy(F, {psi, count});
+    if (stress) laws_[run.material]->cauchy(F, {sigma, count});
+    for (std::size_t k = 0; k < count; ++k) {
+      if (energy) values(Field::energy_density)[first + k] = static_cast<float>(psi[k]);
+      if (wanted(Field::von_mises)) values(Field::von_mises)[first + k] = static_cast<float>(von_mises(sigma[k]));
+      if (wanted(Field::pressure)) values(Field::pressure)[first + k] = static_cast<float>(pressure(sigma[k]));
+    }
   }
   for (std::size_t p = 0; p < n; ++p) {
     if (wanted(Field::speed)) values(Field::speed)[p] = static_cast<float>(particles_.v[p].norm());
     if (wanted(Field::J)) values(Field::J)[p] = static_cast<float>(particles_.F[p].determinant());
-    if (wanted(Field::von_mises)) values(Field::von_mises)[p] = static_cast<float>(von_mises(sigma[p]));
-    if (wanted(Field::pressure)) values(Field::pressure)[p] = static_cast<float>(pressure(sigma[p]));
-    if (wanted(Field::energy_density)) values(Field::energy_density)[p] = static_cast<float>(psi[p]);
     if (wanted(Field::material)) values(Field::material)[p] = static_cast<float>(particles_.material[p]);
     if (wanted(Field::error)) values(Field::error)[p] = static_cast<float>(error[p]);
   }

@@ -54,7 +54,7 @@ SimulationOf<D>::SimulationOf(const Scene& scene, const SimulationOptions& optio
   build_plan_or_throw();
   const FeasibleSet<D> set = conditions_.at(plan_, 0, 0);  // refuses contradictions before the first step
   accepted_.linear_iterations = 0;
-  fill_diagnostics(accepted_);
+  describe_state(accepted_);
   control_->report(accepted_.control);
   particles_to_grid(plan_, particles_, transfer_->affine(), parallel_, grid_);
   lumped_velocity(plan_, particles_, grid_);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <numeric>
 
 #include "core/control/step_control.hpp"
 #include "core/energies/elastic.hpp"
@@ -30,6 +31,7 @@ class SimulationOf final : public Simulation {
 
   const Scene& scene() const override { return scene_; }
   std::size_t particle_count() const override { return particles_.size(); }
+  double mass() const override { return std::accumulate(particles_.mass.begin(), particles_.mass.end(), 0.0); }
   double time() const override { return time_; }
   const StepReport& report() const override { return accepted_; }
   const StepReport& step(const std::atomic<bool>* cancel) override;
@@ -81,12 +83,12 @@ class SimulationOf final : public Simulation {
   void grid_velocity(StepReport& report);
   void tell_of_blend(const MassMatrix<D>& M, StepReport& report);
   Attempt judge(const NewtonResult& newton, double dt, StepReport& report);
-  void keep_state();
-  void restore_state();
   void keep_grid(const FeasibleSet<D>& set);
   void guess_friction(FeasibleSet<D>& set) const;
   void keep_friction(const FeasibleSet<D>& set);
   void fill_diagnostics(StepReport& report) const;
+  /// Of a state that no step led to.
+  void describe_state(StepReport& report);
   ParticleState state_of(std::size_t p) const;
   void capture_fields(const SnapshotRequest& request, Snapshot& into) const;
   void capture_grid(Snapshot& into) const;
@@ -111,8 +113,8 @@ class SimulationOf final : public Simulation {
   GridState<D> grid_;
   LastGrid last_grid_;
   std::vector<RubbingNode<D>> rubbing_;  ///< of the last accepted step, by ascending index
-  std::vector<Vec<D>> kept_x_, kept_v_;
-  std::vector<Mat<D>> kept_F_, kept_C_;
+  Scratch scratch_;                      ///< tangents while a step is solved for, then what `moved_` points to
+  Motion<D> moved_{};
   std::vector<std::uint32_t> probe_ids_;
 
   double time_ = 0, end_ = 0;

@@ -145,7 +145,7 @@ void SimulationOf<D>::load_state(std::istream& in) {
   build_plan_or_throw();
   accepted_ = {};
   accepted_.step = step;
-  fill_diagnostics(accepted_);
+  describe_state(accepted_);
   control_->report(accepted_.control);
   accepted_.active_nodes = plan_.node_count();
   chosen_solver_ = solver_of(solver);

@@ -47,7 +47,6 @@ const StepReport& SimulationOf<D>::step(const std::atomic<bool>* cancel) {
     returned_.status = StepStatus::finished;
     return returned_;
   }
-  keep_state();
   work_ = {};
   StepChoice choice = first_choice();
   for (int retry = 0, given_up = 0;;) {
@@ -62,7 +61,6 @@ const StepReport& SimulationOf<D>::step(const std::atomic<bool>* cancel) {
       accepted_ = std::move(report);
       return accepted_;
     }
-    restore_state();
     if (attempt.outcome == Attempt::inexact) {
       choice = attempt.instead;
       ++given_up;
@@ -133,7 +131,7 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
                                  number(stage) + " s: look at the expressions of the scene."};
   const MassMatrix<D> M(plan_, particles_, grid_.mass, scene_.integrator.mass == "consistent", parallel_, work_);
   if (M.consistent()) tell_of_blend(M, report);
-  ElasticEnergy<D> elastic(plan_, particles_, laws_, parallel_, work_);
+  ElasticEnergy<D> elastic(plan_, particles_, laws_, parallel_, work_, &scratch_);
   std::optional<GrabSpring<D>> spring;
   if (grab_) spring.emplace(plan_, particles_, held_, Vec<D>(grab_->to.head<D>()), grab_stiffness_);
   const bool adaptive = control_->adaptive();
@@ -186,7 +184,7 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
   report.active_nodes = plan_.node_count();
   keep_grid(set);
   keep_friction(set);
-  plan_.build(particles_, *find_basis(scene_.grid.basis), scene_.grid.spacing, parallel_);
+  plan_.build(particles_, moved_, *find_basis(scene_.grid.basis), scene_.grid.spacing, parallel_);
   lap(report.ms.sort);
   fill_diagnostics(report);
   report.angular.transfer =
@@ -215,18 +213,23 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::judge(const NewtonResult& new
     }
   }
   if (!grid_.u.allFinite() || !grid_.v_end.allFinite()) return {Attempt::failed, "The grid's motion is not finite."};
-  transfer_->grid_to_particles(plan_, grid_, particles_, parallel_);
-  move_particles(plan_, grid_.u, parallel_, particles_);
+  // The tangents have served: their memory takes the particles' new state until the next plan sorts it.
+  moved_ = apart<D>(particles_.size(), transfer_->affine(), scratch_);
+  transfer_->grid_to_particles(plan_, grid_, particles_, parallel_, moved_);
+  move_particles(plan_, grid_.u, particles_, parallel_, moved_);
   work_.g2p += particles_.size();
-  const StateCheck check = check_state(particles_);
+  const StateCheck check = check_state(particles_, moved_);
   const std::string who = "Particle " + std::to_string(check.worst);
   if (!check.finite) return {Attempt::failed, who + " has a value that is not finite."};
   if (!(check.min_J > 0)) return {Attempt::failed, who + " was turned inside out (J = " + number(check.min_J) + ")."};
+  report.min_J = check.min_J;
+  report.max_J = check.max_J;
   report.cfl = check.max_speed * dt / scene_.grid.spacing;
   if (report.cfl > runaway_cells)
     return {Attempt::failed,
             "A particle runs away: " + number(check.max_speed) + " m/s, " + number(report.cfl) + " cells in one step."};
-  if (!plan_.can_index(particles_)) return {Attempt::failed, "Particles are too far apart for a grid to be laid."};
+  if (!plan_.can_index(particles_, moved_.x))
+    return {Attempt::failed, "Particles are too far apart for a grid to be laid."};
   return {};
 }
 
@@ -256,30 +259,19 @@ void SimulationOf<D>::keep_friction(const FeasibleSet<D>& set) {
 }
 
 template <int D>
-void SimulationOf<D>::keep_state() {
-  kept_x_ = particles_.x;
-  kept_v_ = particles_.v;
-  kept_F_ = particles_.F;
-  kept_C_ = particles_.C;
-}
-
-template <int D>
-void SimulationOf<D>::restore_state() {
-  particles_.x = kept_x_;
-  particles_.v = kept_v_;
-  particles_.F = kept_F_;
-  particles_.C = kept_C_;
-}
-
-template <int D>
 void SimulationOf<D>::fill_diagnostics(StepReport& report) const {
   report.time = time_;
   report.balance = particle_balance<D>(particles_, laws_, plan_, transfer_->affine(), loads_.gravity(), parallel_);
-  const StateCheck check = check_state(particles_);
-  report.min_J = check.min_J;
-  report.max_J = check.max_J;
   if (report.step == 0) report.active_nodes = plan_.node_count();
   if (known_.known()) report.error = known_.errors(particles_, time_, parallel_);
+}
+
+template <int D>
+void SimulationOf<D>::describe_state(StepReport& report) {
+  const StateCheck check = check_state(particles_, in_place(particles_));
+  report.min_J = check.min_J;
+  report.max_J = check.max_J;
+  fill_diagnostics(report);
 }
 
 template class SimulationOf<2>;

@@ -6,8 +6,8 @@
 namespace pf {
 
 template <int D>
-void ApicTransfer<D>::grid_to_particles(const Plan<D>& plan, const GridState<D>& grid, Particles<D>& particles,
-                                        Parallel& parallel) const {
+void ApicTransfer<D>::grid_to_particles(const Plan<D>& plan, const GridState<D>& grid, const Particles<D>& particles,
+                                        Parallel& parallel, const Motion<D>& to) const {
   const bool by_moments = plan.basis().affine_by_moments;
   with_nodes_per_axis(plan, [&](auto k) {
     constexpr int K = k;
@@ -47,11 +47,11 @@ void ApicTransfer<D>::grid_to_particles(const Plan<D>& plan, const GridState<D>&
         Lane value[D], C[D][D];
         S::template gather<true, true>(local + batch.node * D, w, slopes, value, C);
         const auto p = static_cast<std::size_t>(batch.first);
-        store_lanes<D>(value, batch.count, particles.v[p].data());
+        store_lanes<D>(value, batch.count, to.v[p].data());
         Lane columns[D * D];
         for (int a = 0; a < D; ++a)
           for (int b = 0; b < D; ++b) columns[a + D * b] = C[a][b];
-        store_lanes<D * D>(columns, batch.count, particles.C[p].data());
+        store_lanes<D * D>(columns, batch.count, to.C[p].data());
       }
     });
   });

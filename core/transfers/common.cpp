@@ -119,27 +119,6 @@ void lumped_velocity(const Plan<D>& plan, const Particles<D>& particles, GridSta
 }
 
 template <int D>
-void gather_field(const Plan<D>& plan, const Vector& field, Parallel& parallel, std::vector<Vec<D>>& values) {
-  with_nodes_per_axis(plan, [&](auto k) {
-    constexpr int K = k;
-    using S = Stencil<D, K, D>;
-    for_each_block(plan, parallel, [&](const Block<D>& block, int) {
-      double local[S::nodes * D];
-      load_block<D, K, D>(plan, block, field.data(), local);
-      for (int i = block.batch_begin; i < block.batch_end; ++i) {
-        const Batch& batch = plan.batches()[at(i)];
-        Wide<lane_count<D>> w[2 * D * K];
-        plan.weights(i, w);
-        Wide<lane_count<D>> value[D];
-        S::template gather<true, false>(local + batch.node * D, w, w, value, nullptr);
-        for (int lane = 0; lane < batch.count; ++lane)
-          for (int a = 0; a < D; ++a) values[at(batch.first + lane)][a] = value[a][lane];
-      }
-    });
-  });
-}
-
-template <int D>
 void scatter_field(const Plan<D>& plan, const std::vector<Vec<D>>& values, Parallel& parallel, Vector& field) {
   with_nodes_per_axis(plan, [&](auto k) {
     constexpr int K = k;
@@ -161,7 +140,8 @@ void scatter_field(const Plan<D>& plan, const std::vector<Vec<D>>& values, Paral
 }
 
 template <int D>
-void move_particles(const Plan<D>& plan, const Vector& u, Parallel& parallel, Particles<D>& particles) {
+void move_particles(const Plan<D>& plan, const Vector& u, const Particles<D>& particles, Parallel& parallel,
+                    const Motion<D>& to) {
   with_nodes_per_axis(plan, [&](auto k) {
     constexpr int K = k;
     using S = Stencil<D, K, D>;
@@ -175,16 +155,14 @@ void move_particles(const Plan<D>& plan, const Vector& u, Parallel& parallel, Pa
         Wide<lane_count<D>> value[D], gradient[D][D];
         S::template gather<true, true>(local + batch.node * D, w, w + D * K, value, gradient);
         Wide<lane_count<D>> x[D], F_hat[D * D], F_n[D * D], F[D * D];
-        double* const positions = particles.x[at(batch.first)].data();
-        load_lanes<D>(positions, batch.count, x);
+        load_lanes<D>(particles.x[at(batch.first)].data(), batch.count, x);
         for (int a = 0; a < D; ++a) x[a] += value[a];
-        store_lanes<D>(x, batch.count, positions);
-        double* const deformations = particles.F[at(batch.first)].data();
+        store_lanes<D>(x, batch.count, to.x[at(batch.first)].data());
         for (int a = 0; a < D; ++a)
           for (int b = 0; b < D; ++b) F_hat[a + D * b] = a == b ? gradient[a][b] + 1.0 : gradient[a][b];
-        load_lanes<D * D>(deformations, batch.count, F_n);
+        load_lanes<D * D>(particles.F[at(batch.first)].data(), batch.count, F_n);
         multiply_lanes<D>(F_hat, F_n, F);
-        store_lanes<D * D>(F, batch.count, deformations);
+        store_lanes<D * D>(F, batch.count, to.F[at(batch.first)].data());
       }
     });
   });
@@ -208,12 +186,11 @@ Vec<D> affine_inertia(const BasisInfo& basis, double spacing, const Vec<D>& x) {
 }
 
 // NOLINTBEGIN(bugprone-macro-parentheses): D is a template argument.
-#define PF_INSTANTIATE(D)                                                                                  \
-  template void particles_to_grid<D>(const Plan<D>&, const Particles<D>&, bool, Parallel&, GridState<D>&); \
-  template void lumped_velocity<D>(const Plan<D>&, const Particles<D>&, GridState<D>&);                    \
-  template void gather_field<D>(const Plan<D>&, const Vector&, Parallel&, std::vector<Vec<D>>&);           \
-  template void scatter_field<D>(const Plan<D>&, const std::vector<Vec<D>>&, Parallel&, Vector&);          \
-  template void move_particles<D>(const Plan<D>&, const Vector&, Parallel&, Particles<D>&);                \
+#define PF_INSTANTIATE(D)                                                                                           \
+  template void particles_to_grid<D>(const Plan<D>&, const Particles<D>&, bool, Parallel&, GridState<D>&);          \
+  template void lumped_velocity<D>(const Plan<D>&, const Particles<D>&, GridState<D>&);                             \
+  template void scatter_field<D>(const Plan<D>&, const std::vector<Vec<D>>&, Parallel&, Vector&);                   \
+  template void move_particles<D>(const Plan<D>&, const Vector&, const Particles<D>&, Parallel&, const Motion<D>&); \
   template Vec<D> affine_inertia<D>(const BasisInfo&, double, const Vec<D>&);
 PF_INSTANTIATE(2)
 PF_INSTANTIATE(3)

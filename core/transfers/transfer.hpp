@@ -28,8 +28,8 @@ class Transfer {
   /// True: particles carry an affine velocity C, which takes part in P2G and in the balances.
   virtual bool affine() const = 0;
   /// The particles' velocities (and C) after the step; runs before positions move.
-  virtual void grid_to_particles(const Plan<D>& plan, const GridState<D>& grid, Particles<D>& particles,
-                                 Parallel& parallel) const = 0;
+  virtual void grid_to_particles(const Plan<D>& plan, const GridState<D>& grid, const Particles<D>& particles,
+                                 Parallel& parallel, const Motion<D>& to) const = 0;
 };
 
 /// m_i and momentum; nodes that receive no mass get the mean velocity of the particles around them in `v` later.
@@ -39,12 +39,10 @@ void particles_to_grid(const Plan<D>& plan, const Particles<D>& particles, bool 
 /// v_i = momentum / m_i; where m_i is nothing but rounding, the mean of the particles that the node's gradient sees.
 template <int D>
 void lumped_velocity(const Plan<D>& plan, const Particles<D>& particles, GridState<D>& grid);
-/// values_p = sum_j N_j(x_p) field_j.
-template <int D>
-void gather_field(const Plan<D>& plan, const Vector& field, Parallel& parallel, std::vector<Vec<D>>& values);
 /// x_p += sum_j u_j N_j, F_p = (I + sum_j u_j (x) grad N_j) F_p (THEORY T5).
 template <int D>
-void move_particles(const Plan<D>& plan, const Vector& u, Parallel& parallel, Particles<D>& particles);
+void move_particles(const Plan<D>& plan, const Vector& u, const Particles<D>& particles, Parallel& parallel,
+                    const Motion<D>& to);
 /// field_i += sum_p N_i(x_p) values_p.
 template <int D>
 void scatter_field(const Plan<D>& plan, const std::vector<Vec<D>>& values, Parallel& parallel, Vector& field);

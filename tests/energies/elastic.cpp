@@ -76,9 +76,10 @@ TEST_CASE("elastic energy: a body of several materials is the sum of its parts")
   ElasticEnergy<2> energy(grid.plan, grid.particles, grid.laws, grid.parallel, grid.work);
   const Vector u = strained(grid, 5);
   const double E = energy.value(u);
+  const std::vector<Mat<2>> F = energy.deformed(u);
   double sum = 0;
   for (std::size_t p = 0; p < grid.particles.size(); ++p)
-    sum += grid.particles.volume0[p] * test::energy<2>(*grid.laws[grid.particles.material[p]], energy.F()[p]);
+    sum += grid.particles.volume0[p] * test::energy<2>(*grid.laws[grid.particles.material[p]], F[p]);
   CHECK(E == doctest::Approx(sum).epsilon(1e-13));
   test::check_derivatives<2>(energy, u, 1e-3 * dx, stored_tangents);
 }
@@ -90,10 +91,10 @@ TEST_CASE("patch test: an affine motion of the nodes gives every particle the ex
     with_law(grid, law);
     ElasticEnergy<D> energy(grid.plan, grid.particles, grid.laws, grid.parallel, grid.work);
     const Mat<D> A = Mat<D>::Identity() + test::Random(7).matrix<D>(0.3);
-    energy.value(affine<D>(grid, A, Vec<D>::Constant(0.4)));
+    const std::vector<Mat<D>> F = energy.deformed(affine<D>(grid, A, Vec<D>::Constant(0.4)));
     double worst = 0;
     for (std::size_t p = 0; p < grid.particles.size(); ++p)
-      worst = std::max(worst, (energy.F()[p] - A * grid.particles.F[p]).norm());
+      worst = std::max(worst, (F[p] - A * grid.particles.F[p]).norm());
     CHECK(worst < 1e-13);
   });
 }
@@ -142,9 +143,10 @@ TEST_CASE("the sizes that Newton's tolerance is measured with are s_i of the the
     Vector g = Vector::Zero(u.size()), magnitude = Vector::Zero(grid.plan.node_count());
     energy.gradient(u, g, magnitude);
     Vector expected = Vector::Zero(grid.plan.node_count());
+    const std::vector<Mat<2>> F = energy.deformed(u);
     for (std::size_t p = 0; p < grid.particles.size(); ++p) {
-      const Mat<2> T = grid.particles.volume0[p] * test::evaluate<2>(*grid.laws[0], energy.F()[p]).P *
-                       grid.particles.F[p].transpose();
+      const Mat<2> T =
+          grid.particles.volume0[p] * test::evaluate<2>(*grid.laws[0], F[p]).P * grid.particles.F[p].transpose();
       for (int i = 0; i < grid.plan.node_count(); ++i) {
         Vec<2> grad;
         const Vec<2> s = grid.particles.x[p] / dx;
@@ -158,6 +160,6 @@ TEST_CASE("the sizes that Newton's tolerance is measured with are s_i of the the
         expected[i] += (T * grad).norm();
       }
     }
-    CHECK((magnitude - expected).norm() < 1e-12 * expected.norm());
+    CHECK((magnitude - expected).norm() < 0x1p-23 * expected.norm());  // roots are taken in single precision
   }
 }

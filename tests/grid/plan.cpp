@@ -149,12 +149,12 @@ void check_threads(const BasisInfo& basis) {
 template <int D>
 void check_refusals(const BasisInfo& basis) {
   Grid<D> grid(test::scattered<D>(20, dx, 1, 17), basis.name, dx);
-  CHECK(grid.plan.can_index(grid.particles));
+  CHECK(grid.plan.can_index(grid.particles, grid.particles.x.data()));
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300, -1e300}) {
     Particles<D> particles = grid.particles;
     particles.x[7][D - 1] = bad;
-    CHECK_FALSE(grid.plan.can_index(particles));
+    CHECK_FALSE(grid.plan.can_index(particles, particles.x.data()));
     Plan<D> plan;
     CHECK_FALSE(plan.build(particles, basis, dx, grid.parallel));
   }

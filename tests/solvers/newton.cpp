@@ -72,9 +72,8 @@ struct Problem {
     return potential->norm(g) / potential->scale();
   }
   double smallest_J() {
-    elastic.value(u);
     double J = 1e300;
-    for (const Mat<D>& F : elastic.F()) J = std::min(J, F.determinant());
+    for (const Mat<D>& F : elastic.deformed(u)) J = std::min(J, F.determinant());
     return J;
   }
 

@@ -57,7 +57,7 @@ struct RoundTrip {
     grid.state.v_end = grid.state.v;
     before = balance();
     start = grid.particles;
-    transfer->grid_to_particles(grid.plan, grid.state, grid.particles, grid.parallel);
+    transfer->grid_to_particles(grid.plan, grid.state, grid.particles, grid.parallel, in_place(grid.particles));
     after = balance();
   }
   Balance balance() {
@@ -165,8 +165,14 @@ TEST_CASE("the consistent velocity is the least-squares fit to the particles, an
       CHECK(grid.state.v.allFinite());
       if (M.blend() > 0) continue;  // fewer particles than nodes: no longer the fit alone
       std::vector<Vec<2>> fit(grid.particles.size());
+      const auto at_particles = [&](const Vector& v, std::vector<Vec<2>>& values) {
+        GridState<2> state;
+        state.v_end = v;
+        make_transfer<2>("flip", 0)->grid_to_particles(grid.plan, state, grid.particles, grid.parallel,
+                                                       {nullptr, values.data(), nullptr, nullptr});
+      };
       const auto misfit = [&](const Vector& v) {
-        gather_field<2>(grid.plan, v, grid.parallel, fit);
+        at_particles(v, fit);
         double sum = 0;
         for (std::size_t p = 0; p < fit.size(); ++p)
           sum += grid.particles.mass[p] * (fit[p] - grid.particles.v[p]).squaredNorm();
@@ -178,14 +184,14 @@ TEST_CASE("the consistent velocity is the least-squares fit to the particles, an
       for (int k = 0; k < 20; ++k)
         CHECK(misfit(grid.state.v + random.values(grid.unknowns(), 0.05)) >= best - 1e-13 * grid.state.mass.sum());
       // Fitted a second time nothing changes: PIC with this velocity does not damp.
-      gather_field<2>(grid.plan, grid.state.v, grid.parallel, fit);
+      at_particles(grid.state.v, fit);
       Vector refit = Vector::Zero(grid.unknowns()), b = Vector::Zero(grid.unknowns());
       std::vector<Vec<2>> momenta(fit.size());
       for (std::size_t p = 0; p < fit.size(); ++p) momenta[p] = grid.particles.mass[p] * fit[p];
       scatter_field<2>(grid.plan, momenta, grid.parallel, b);
       M.solve(b, refit, residual);
       std::vector<Vec<2>> again(fit.size());
-      gather_field<2>(grid.plan, refit, grid.parallel, again);
+      at_particles(refit, again);
       for (std::size_t p = 0; p < fit.size(); ++p) CHECK((again[p] - fit[p]).norm() < 1e-9);
     }
 }
@@ -200,7 +206,7 @@ TEST_CASE("moving particles along an affine field moves them and their F exactly
     Vector u(grid.unknowns());
     for (int i = 0; i < grid.plan.node_count(); ++i)
       u.segment<3>(i * 3) = (A - Mat<3>::Identity()) * grid.plan.node_position(i) + b;
-    move_particles(grid.plan, u, grid.parallel, grid.particles);
+    move_particles(grid.plan, u, grid.particles, grid.parallel, in_place(grid.particles));
     for (std::size_t p = 0; p < before.size(); ++p) {
       CHECK((grid.particles.x[p] - (A * before.x[p] + b)).norm() < 1e-14);
       CHECK((grid.particles.F[p] - A * before.F[p]).norm() < 1e-13);
