@@ -22,9 +22,9 @@ inline double stencil_flops(int D, int K, int C, bool value, bool gradient) {
   return 2 * C * fused;
 }
 
-/// The plan's weights of a particle: N and dN/dx of each axis.
-inline double weight_bytes(int D, int K) {
-  return 8.0 * 2 * D * K;
+/// What the weights of a particle are computed from: its place in its cell.
+inline double weight_bytes(int D) {
+  return 8.0 * D;
 }
 inline double vector_bytes(int D) {
   return 8.0 * D;

@@ -45,25 +45,24 @@ class Kernels {
 template <int D>
 void Kernels<D>::plan_and_transfers() {
   const double all = 4 * vector_bytes(D) + 2 * matrix_bytes(D) + 2 * 8 + 8;  // every array of a particle, about
-  add("plan, order unchanged", {vector_bytes(D) + weight_bytes(D, K_) + 2 + 12, 0}, [&] { body_.build_plan(); });
+  add("plan, order unchanged", {vector_bytes(D) + weight_bytes(D) + 2 + 12, 0}, [&] { body_.build_plan(); });
   add(
-      "sort and plan, particles moved", {2 * all + weight_bytes(D, K_) + 24, 0}, [&] { body_.shake(); },
+      "sort and plan, particles moved", {2 * all + weight_bytes(D) + 24, 0}, [&] { body_.shake(); },
       [&] { body_.build_plan(); });
   particles_to_grid(body_.plan, body_.particles, true, body_.parallel, body_.grid);
   lumped_velocity(body_.plan, body_.particles, body_.grid);
   body_.grid.u = body_.displacements();
   body_.grid.v_end = body_.grid.v;
-  const double weights = weight_bytes(D, K_);
-  add("P2G, APIC", {weights / 2 + 2 * vector_bytes(D) + matrix_bytes(D) + 8, stencil_flops(D, K_, D + 1, true, true)},
+  const double weights = weight_bytes(D);
+  add("P2G, APIC", {weights + 2 * vector_bytes(D) + matrix_bytes(D) + 8, stencil_flops(D, K_, D + 1, true, true)},
       [&] { particles_to_grid(body_.plan, body_.particles, true, body_.parallel, body_.grid); });
-  add("P2G, FLIP", {weights / 2 + vector_bytes(D) + 8, stencil_flops(D, K_, D + 1, true, false)},
+  add("P2G, FLIP", {weights + vector_bytes(D) + 8, stencil_flops(D, K_, D + 1, true, false)},
       [&] { particles_to_grid(body_.plan, body_.particles, false, body_.parallel, body_.grid); });
   const std::unique_ptr<Transfer<D>> apic = make_transfer<D>("apic", 0), flip = make_transfer<D>("flip", 0.95);
   const Motion<D> to = in_place(body_.particles);
-  add("G2P velocities, APIC",
-      {weights / 2 + 2 * vector_bytes(D) + matrix_bytes(D), stencil_flops(D, K_, D, true, true)},
+  add("G2P velocities, APIC", {weights + 2 * vector_bytes(D) + matrix_bytes(D), stencil_flops(D, K_, D, true, true)},
       [&] { apic->grid_to_particles(body_.plan, body_.grid, body_.particles, body_.parallel, to); });
-  add("G2P velocities, FLIP", {weights / 2 + 2 * vector_bytes(D), 2 * stencil_flops(D, K_, D, true, false)},
+  add("G2P velocities, FLIP", {weights + 2 * vector_bytes(D), 2 * stencil_flops(D, K_, D, true, false)},
       [&] { flip->grid_to_particles(body_.plan, body_.grid, body_.particles, body_.parallel, to); });
   const Vector still = Vector::Zero(body_.grid.u.size());
   add("G2P positions and F",
@@ -79,11 +78,11 @@ void Kernels<D>::elastic() {
   IncrementalPotential<D> potential(body_.plan, body_.grid.mass, body_.set, {&inertia, &elastic}, {});
   const Vector& u = body_.grid.u;
   Vector g, p = u, Hp(u.size());
-  const double weights = weight_bytes(D, K_), F = matrix_bytes(D), product = 2.0 * D * D * D;
+  const double weights = weight_bytes(D), F = matrix_bytes(D), product = 2.0 * D * D * D;
   const double gather = stencil_flops(D, K_, D, false, true);
   add("energy", {weights + 2 * F + 16, gather + product}, [&] { potential.value(u); });
   add("residual and energy", {weights + 3 * F + 24, 2 * gather + 2 * product}, [&] { potential.gradient(u, g); });
-  const double tangent = 8.0 * tangent_components<D>;
+  const double tangent = 4.0 * tangent_components<D>;
   add("tangents", {2 * F + 8 + tangent, 0}, [&] { potential.prepare_hessian(u, false); });
   add("tangents, projected", {2 * F + 8 + tangent, 0}, [&] { potential.prepare_hessian(u, true); });
   add("Hessian product, particles", {weights + tangent, 2 * gather + 2.0 * D * D * D * D}, [&] {
@@ -97,8 +96,7 @@ void Kernels<D>::elastic() {
     potential.diagonal(blocks);
   });
   preconditioners(potential, g);
-  result_.bytes = static_cast<double>(body_.plan.bytes()) +
-                  static_cast<double>(body_.particles.size()) * (tangent + 3 * F + 8) +
+  result_.bytes = static_cast<double>(body_.plan.bytes()) + static_cast<double>(body_.particles.size()) * (tangent) +
                   static_cast<double>(body_.particles.size()) * (3 * vector_bytes(D) + 2 * F + 16 + 8);
 }
 

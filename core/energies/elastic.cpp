@@ -59,13 +59,13 @@ double ElasticEnergy<D>::chunk_energy(const Chunk& chunk) const {
 template <int D>
 double ElasticEnergy<D>::ordered_sum() const {
   double sum = 0;
-  for (const double s : block_sum_) sum += s;
+  for (const double s : memory_.block_sum) sum += s;
   return sum;
 }
 
 template <int D>
 double ElasticEnergy<D>::value(const Vector& u) {
-  block_sum_.resize(plan_.blocks().size());
+  memory_.block_sum.resize(plan_.blocks().size());
   for_each_block(plan_, parallel_, [&](const Block<D>& block, int b) {
     double sum = 0;
     for_each_deformed(block, u, [&](Chunk& chunk) {
@@ -74,7 +74,7 @@ double ElasticEnergy<D>::value(const Vector& u) {
       });
       sum += chunk_energy(chunk);
     });
-    block_sum_[index(b)] = sum;
+    memory_.block_sum[index(b)] = sum;
   });
   work_.energy += particles_.size();
   return ordered_sum();
@@ -171,7 +171,7 @@ inline void scatter_sizes(const Wide<lane_count<D>> (*flux)[D], const Wide<lane_
 
 template <int D>
 double ElasticEnergy<D>::gradient(const Vector& u, Vector& g, Vector& magnitude) {
-  block_sum_.resize(plan_.blocks().size());
+  memory_.block_sum.resize(plan_.blocks().size());
   with_nodes_per_axis(plan_, [&](auto k) {
     constexpr int K = k;
     using S = Stencil<D, K, D>;
@@ -192,7 +192,7 @@ double ElasticEnergy<D>::gradient(const Vector& u, Vector& g, Vector& magnitude)
           scatter_sizes<D, K>(flux, w, local_size + batch.node);
         }
       });
-      block_sum_[index(b)] = energy;
+      memory_.block_sum[index(b)] = energy;
       add_block<D, K, D>(plan_, block, local, g.data());
       add_block<D, K, 1>(plan_, block, local_size, magnitude.data());
     });
@@ -220,7 +220,7 @@ void ElasticEnergy<D>::chunk_tangents(const Block<D>& block, const Chunk& chunk,
 
 template <int D>
 void ElasticEnergy<D>::prepare_hessian(const Vector& u, bool project) {
-  tangent_ = scratch_.take<Narrow<W>>(plan_.batches().size() * components);
+  tangent_ = memory_.tangents.take<Narrow<W>>(plan_.batches().size() * components);
   for_each_block(plan_, parallel_, [&](const Block<D>& block, int) {
     for_each_deformed(block, u, [&](const Chunk& chunk) { chunk_tangents(block, chunk, project); });
   });

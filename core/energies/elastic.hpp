@@ -20,18 +20,24 @@ using Laws = std::vector<std::unique_ptr<Law<D>>>;  ///< one a material
 template <int D>
 struct ElasticChunk;
 
+/// What an ElasticEnergy computes with; kept between steps for its memory alone.
+struct ElasticMemory {
+  Scratch tangents;
+  std::vector<double> block_sum;
+};
+
 template <int D>
 class ElasticEnergy final : public Energy<D> {
  public:
-  /// All are referred to, none is copied; they outlive this. `scratch` holds the tangents; null: memory of its own.
+  /// All are referred to, none is copied; they outlive this. `memory`, where it is given, outlives this too.
   ElasticEnergy(const Plan<D>& plan, const Particles<D>& particles, const Laws<D>& laws, Parallel& parallel, Work& work,
-                Scratch* scratch = nullptr)
+                ElasticMemory* memory = nullptr)
       : plan_(plan),
         particles_(particles),
         laws_(laws),
         parallel_(parallel),
         work_(work),
-        scratch_(scratch ? *scratch : own_scratch_) {}
+        memory_(memory ? *memory : own_) {}
 
   double value(const Vector& u) override;
   double gradient(const Vector& u, Vector& g, Vector& magnitude) override;
@@ -73,9 +79,8 @@ class ElasticEnergy final : public Energy<D> {
   const Laws<D>& laws_;
   Parallel& parallel_;
   Work& work_;
-  Scratch own_scratch_;
-  Scratch& scratch_;
-  std::vector<double> block_sum_;
+  ElasticMemory own_;
+  ElasticMemory& memory_;
   Narrow<W>* tangent_ = nullptr;  ///< V_p^0 times the tangent with respect to F^, `components` a batch
 };
 

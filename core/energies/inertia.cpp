@@ -4,22 +4,22 @@ namespace pf {
 
 template <int D>
 double Inertia<D>::value(const Vector& u) {
-  difference_ = u - u_free_;
-  mass_.multiply(difference_, product_);
-  return 0.5 * scale_ * mass_.dot(difference_, product_);
+  vectors_.difference = u - vectors_.u_free;
+  mass_.multiply(vectors_.difference, vectors_.product);
+  return 0.5 * scale_ * mass_.dot(vectors_.difference, vectors_.product);
 }
 
 template <int D>
 double Inertia<D>::gradient(const Vector& u, Vector& g, Vector&) {
   const double E = value(u);
-  g += scale_ * product_;
+  g += scale_ * vectors_.product;
   return E;
 }
 
 template <int D>
 void Inertia<D>::hessian_product(const Vector& p, Vector& Hp) {
-  mass_.multiply(p, product_);
-  Hp += scale_ * product_;
+  mass_.multiply(p, vectors_.product);
+  Hp += scale_ * vectors_.product;
 }
 
 template <int D>
@@ -35,10 +35,9 @@ void Inertia<D>::assemble(BlockMatrix<D>& H) {
 }
 
 template <int D>
-Vector Inertia<D>::free_flight_force() const {
-  Vector f;
-  mass_.multiply(u_free_, f);
-  return scale_ * f;
+void Inertia<D>::free_flight_force(Vector& f) const {
+  mass_.multiply(vectors_.u_free, f);
+  f *= scale_;
 }
 
 template class Inertia<2>;

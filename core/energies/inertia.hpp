@@ -6,12 +6,20 @@
 
 namespace pf {
 
+/// What an Inertia computes with; kept between steps for its memory alone.
+struct InertiaVectors {
+  Vector u_free, difference, product;
+};
+
 template <int D>
 class Inertia final : public Energy<D> {
  public:
-  /// `v`: node velocities v^n; `mass` is referred to.
-  Inertia(const MassMatrix<D>& mass, const Vector& v, double dt)
-      : mass_(mass), u_free_(dt * v), scale_(1 / (dt * dt)) {}
+  /// `v`: node velocities v^n; `mass` is referred to, and `vectors` where it is given.
+  Inertia(const MassMatrix<D>& mass, const Vector& v, double dt, InertiaVectors* vectors = nullptr)
+      : mass_(mass), scale_(1 / (dt * dt)), vectors_(vectors ? *vectors : own_) {
+    vectors_.u_free = dt * v;
+  }
+  Inertia(const Inertia&) = delete;
 
   double value(const Vector& u) override;
   double gradient(const Vector& u, Vector& g, Vector& magnitude) override;
@@ -20,13 +28,13 @@ class Inertia final : public Energy<D> {
   void diagonal(std::vector<Mat<D>>& blocks) override;
   void assemble(BlockMatrix<D>& H) override;
   /// M (x~ - x)/dt^2: what Newton's tolerance is measured against [N].
-  Vector free_flight_force() const;
+  void free_flight_force(Vector& f) const;
 
  private:
   const MassMatrix<D>& mass_;
-  Vector u_free_;  ///< x~ - x
   double scale_;
-  Vector difference_, product_;
+  InertiaVectors own_;
+  InertiaVectors& vectors_;  ///< u_free: x~ - x
 };
 
 extern template class Inertia<2>;

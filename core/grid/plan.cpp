@@ -62,10 +62,10 @@ bool lexicographic(const std::array<long long, D>& a, const std::array<long long
   return false;
 }
 
-/// The node blocks that the blocks touch, sorted.
+/// `result` becomes the node blocks that the blocks touch, sorted.
 template <int D>
-std::vector<NodeBlock<D>> node_blocks_of(const std::vector<Block<D>>& blocks) {
-  std::vector<NodeBlock<D>> result;
+void node_blocks_of(const std::vector<Block<D>>& blocks, std::vector<NodeBlock<D>>& result) {
+  result.clear();
   result.reserve(blocks.size() << D);
   for (const Block<D>& block : blocks)
     for (int o = 0; o < 1 << D; ++o) {
@@ -78,7 +78,6 @@ std::vector<NodeBlock<D>> node_blocks_of(const std::vector<Block<D>>& blocks) {
   result.erase(std::unique(result.begin(), result.end(),
                            [](const NodeBlock<D>& a, const NodeBlock<D>& b) { return a.corner == b.corner; }),
                result.end());
-  return result;
 }
 
 /// Where a block's 2^D node blocks stand in the sorted list.
@@ -115,9 +114,11 @@ template <int D>
 void Plan<D>::number_nodes() {
   const int K = nodes_per_axis(), edge_nodes = block_edge + K - 1;
   const int table_size = D == 2 ? edge_nodes * edge_nodes : edge_nodes * edge_nodes * edge_nodes;
-  std::vector<NodeBlock<D>>& node_blocks = node_blocks_ = node_blocks_of(blocks_);
+  std::vector<NodeBlock<D>>& node_blocks = node_blocks_;
+  node_blocks_of(blocks_, node_blocks);
   node_of_.assign(blocks_.size() * static_cast<std::size_t>(table_size), -1);
-  std::vector<std::array<int, 1 << D>> around(blocks_.size());
+  std::vector<std::array<int, 1 << D>>& around = around_;
+  around.resize(blocks_.size());
   // Mark.
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     Block<D>& block = blocks_[b];
@@ -195,13 +196,6 @@ void Plan<D>::place(const Particles<D>& particles, Parallel& parallel) {
       }
     }
   });
-}
-
-template <int D>
-void Plan<D>::blank(Wide<W>* values, int n, int count) {
-  Wide<W> inside{};
-  for (int lane = 0; lane < count; ++lane) inside[lane] = 1;
-  for (int k = 0; k < n; ++k) values[k] *= inside;
 }
 
 template <int D>

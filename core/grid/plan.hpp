@@ -86,9 +86,9 @@ class Plan {
   const std::array<std::vector<int>, 1 << D>& colours() const { return colours_; }
   /// Global node of each node of the block's lattice, x fastest; -1 where the node is not active.
   const std::int32_t* node_table(const Block<D>& block) const { return node_of_.data() + block.nodes; }
-  /// Weights of a batch: for each axis K values N, then for each axis K values dN/dx [1/m]; a lane a particle,
-  /// zero in the lanes beyond count. Computed anew from where the particles stand in their cell: that is quicker than
-  /// fetching six times as many numbers from memory.
+  /// Weights of a batch: for each axis K values N, then for each axis K values dN/dx [1/m]; a lane a particle;
+  /// any finite numbers in the lanes beyond count. Computed anew from where the particles stand in their cell: that is
+  /// quicker than fetching six times as many numbers from memory.
   void weights(int batch, Wide<W>* w) const {
     const int n = D * basis_->nodes_per_axis;
     const Wide<W>* const t = place_.data() + static_cast<std::ptrdiff_t>(batch) * D;
@@ -97,8 +97,6 @@ class Plan {
     else
       basis_->eight(t, w, w + n);
     for (int k = n; k < 2 * n; ++k) w[k] *= inverse_spacing_;
-    const int count = batches_[static_cast<std::size_t>(batch)].count;
-    if (count < W) blank(w, 2 * n, count);
   }
   /// The active node at these lattice coordinates, or -1.
   int find_node(const std::array<long long, D>& index) const;
@@ -112,14 +110,13 @@ class Plan {
   void make_blocks(const Particles<D>& particles, const Keys& keys);
   void number_nodes();
   void place(const Particles<D>& particles, Parallel& parallel);
-  /// Zeroes the lanes from `count` on.
-  static void blank(Wide<W>* values, int n, int count);
 
   const BasisInfo* basis_ = nullptr;
   double spacing_ = 0, inverse_spacing_ = 0;
   int node_count_ = 0;
   std::vector<std::array<long long, D>> index_;
-  std::vector<NodeBlock<D>> node_blocks_;  ///< sorted by corner
+  std::vector<NodeBlock<D>> node_blocks_;        ///< sorted by corner
+  std::vector<std::array<int, 1 << D>> around_;  ///< each block's node blocks
   std::vector<Block<D>> blocks_;
   std::vector<Batch> batches_;
   std::vector<MaterialRun> runs_;

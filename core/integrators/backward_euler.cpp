@@ -1,6 +1,7 @@
 #include "core/integrators/backward_euler.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/energies/external.hpp"
@@ -57,20 +58,24 @@ template <int D>
 NewtonResult BackwardEuler<D>::advance(const StepProblem<D>& problem) {
   FeasibleSet<D>& set = problem.set;
   const bool rubs = prepare_friction(set);
-  Inertia<D> inertia(problem.mass, problem.grid.v, problem.dt);
+  Inertia<D> inertia(problem.mass, problem.grid.v, problem.dt, &inertia_);
   ExternalWork<D> external(problem.force);
   Friction<D> friction(set);
-  std::vector<Energy<D>*> terms{&inertia, &problem.elastic, &external};
-  if (problem.grab) terms.push_back(problem.grab);
-  if (rubs) terms.push_back(&friction);
-  const Vector free_flight = inertia.free_flight_force();
-  IncrementalPotential<D> potential(problem.plan, problem.mass.lumped(), set, terms, {&free_flight, &problem.force});
+  terms_.clear();
+  for (Energy<D>* term : {static_cast<Energy<D>*>(&inertia), static_cast<Energy<D>*>(&problem.elastic),
+                          static_cast<Energy<D>*>(&external), static_cast<Energy<D>*>(problem.grab),
+                          rubs ? static_cast<Energy<D>*>(&friction) : nullptr})
+    if (term) terms_.push_back(term);
+  inertia.free_flight_force(free_flight_);
+  const std::array<const Vector*, 2> reference{&free_flight_, &problem.force};
+  IncrementalPotential<D> potential(problem.plan, problem.mass.lumped(), set, terms_, reference, &potential_);
 
   // Start from rest or from free flight under the loads, whichever is lower on E: both are feasible once projected.
   Vector& u = problem.grid.u;
   u = Vector::Zero(problem.grid.v.size());
   set.project(u);
-  Vector flight = problem.dt * problem.grid.v;
+  Vector& flight = flight_;
+  flight = problem.dt * problem.grid.v;
   const Vector& m = problem.mass.lumped();
   const double rounding = 1e-14 * m.maxCoeff();
   for (Eigen::Index i = 0; i < m.size(); ++i)
@@ -83,20 +88,19 @@ NewtonResult BackwardEuler<D>::advance(const StepProblem<D>& problem) {
   // While the friction forces settle, each minimisation need only be as exact as they are; the last one is exact.
   NewtonSettings newton = problem.newton;
   if (rubs) newton.tolerance = std::max(newton.tolerance, 1e-2);
-  NewtonResult result = minimise(potential, set, problem.linear, newton, problem.cancel, u);
+  NewtonResult result = minimise(potential, set, problem.linear, newton, problem.cancel, u, &newton_);
   constexpr int most = 100;
-  Vector g, change;
   for (int k = 0; rubs && result.status == NewtonStatus::converged; ++k) {
-    potential.gradient(u, g);
-    update_friction(g, set, change);
-    const double unsettled = potential.norm(change) / std::max(potential.scale(), 1e-300);
+    potential.gradient(u, g_);
+    update_friction(g_, set, change_);
+    const double unsettled = potential.norm(change_) / std::max(potential.scale(), 1e-300);
     if (newton.tolerance == problem.newton.tolerance && unsettled <= newton.tolerance) break;
     if (k == most) {
       result.status = NewtonStatus::not_converged;
       break;
     }
     newton.tolerance = std::clamp(0.1 * unsettled, problem.newton.tolerance, 1e-2);
-    NewtonResult again = minimise(potential, set, problem.linear, newton, problem.cancel, u);
+    NewtonResult again = minimise(potential, set, problem.linear, newton, problem.cancel, u, &newton_);
     again.linear_iterations += result.linear_iterations;
     result.iterations.pop_back();  // where one minimisation ends the next begins
     again.iterations.insert(again.iterations.begin(), result.iterations.begin(), result.iterations.end());

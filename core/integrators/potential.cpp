@@ -1,30 +1,35 @@
 #include "core/integrators/potential.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace pf {
 
 template <int D>
 IncrementalPotential<D>::IncrementalPotential(const Plan<D>& plan, const Vector& lumped_mass, const FeasibleSet<D>& set,
-                                              std::vector<Energy<D>*> terms,
-                                              const std::vector<const Vector*>& reference_forces)
-    : plan_(plan), set_(set), terms_(std::move(terms)) {
+                                              const std::vector<Energy<D>*>& terms,
+                                              std::span<const Vector* const> reference_forces,
+                                              PotentialVectors<D>* vectors)
+    : plan_(plan), set_(set), term_count_(terms.size()), vectors_(vectors ? *vectors : own_) {
+  assert(terms.size() <= terms_.size());
+  std::copy(terms.begin(), terms.end(), terms_.begin());
   const Eigen::Index n = lumped_mass.size();
   // A node that holds next to nothing must not decide alone whether the step has converged.
   const double least = 1e-9 * lumped_mass.maxCoeff();
-  weight_.resize(n * D);
-  for (Eigen::Index i = 0; i < n; ++i) weight_.segment<D>(i * D).setConstant(1 / std::max(lumped_mass[i], least));
-  fixed_.assign(static_cast<std::size_t>(n), 0);
-  std::vector<Mat<D>> free;
+  vectors_.weight.resize(n * D);
+  for (Eigen::Index i = 0; i < n; ++i)
+    vectors_.weight.template segment<D>(i * D).setConstant(1 / std::max(lumped_mass[i], least));
+  vectors_.fixed.assign(static_cast<std::size_t>(n), 0);
+  vectors_.free.clear();
   for (const NodeConstraint<D>& c : set.constrained) {
-    free.push_back(c.free);
-    if (c.free.isZero()) fixed_[static_cast<std::size_t>(c.node)] = 1;
+    vectors_.free.push_back(c.free);
+    if (c.free.isZero()) vectors_.fixed[static_cast<std::size_t>(c.node)] = 1;
   }
   for (const Vector* f : reference_forces) {
-    Vector over_free = *f;
-    set.restrict_to(free, over_free);
-    reference_ = std::max(reference_, norm(over_free));
+    vectors_.over_free = *f;
+    set.restrict_to(vectors_.free, vectors_.over_free);
+    reference_ = std::max(reference_, norm(vectors_.over_free));
   }
 }
 
@@ -32,7 +37,7 @@ template <int D>
 double IncrementalPotential<D>::value(const Vector& u) {
   double E = 0;
   energy_scale_ = 0;
-  for (Energy<D>* term : terms_) {
+  for (Energy<D>* term : terms()) {
     const double part = term->value(u);
     E += part;
     energy_scale_ += std::abs(part);
@@ -43,11 +48,11 @@ double IncrementalPotential<D>::value(const Vector& u) {
 template <int D>
 double IncrementalPotential<D>::gradient(const Vector& u, Vector& g) {
   g.setZero(u.size());
-  magnitude_.setZero(u.size() / D);
+  vectors_.magnitude.setZero(u.size() / D);
   double E = 0;
   energy_scale_ = 0;
-  for (Energy<D>* term : terms_) {
-    const double part = term->gradient(u, g, magnitude_);
+  for (Energy<D>* term : terms()) {
+    const double part = term->gradient(u, g, vectors_.magnitude);
     E += part;
     energy_scale_ += std::abs(part);
   }
@@ -56,17 +61,17 @@ double IncrementalPotential<D>::gradient(const Vector& u, Vector& g) {
 
 template <int D>
 void IncrementalPotential<D>::prepare_hessian(const Vector& u, bool project) {
-  for (Energy<D>* term : terms_) term->prepare_hessian(u, project);
+  for (Energy<D>* term : terms()) term->prepare_hessian(u, project);
 }
 
 template <int D>
 void IncrementalPotential<D>::hessian_product(const Vector& p, Vector& Hp) {
-  for (Energy<D>* term : terms_) term->hessian_product(p, Hp);
+  for (Energy<D>* term : terms()) term->hessian_product(p, Hp);
 }
 
 template <int D>
 void IncrementalPotential<D>::diagonal(std::vector<Mat<D>>& blocks) {
-  for (Energy<D>* term : terms_) term->diagonal(blocks);
+  for (Energy<D>* term : terms()) term->diagonal(blocks);
 }
 
 template <int D>
@@ -105,13 +110,13 @@ void IncrementalPotential<D>::assemble(BlockMatrix<D>& H) {
   if (!have_pattern_) make_pattern(H);
   have_pattern_ = true;
   H.set_zero();
-  for (Energy<D>* term : terms_) term->assemble(H);
+  for (Energy<D>* term : terms()) term->assemble(H);
 }
 
 template <int D>
 void IncrementalPotential<D>::assemble_stencil(StencilMatrix<D>& H, const std::vector<std::int32_t>& row_of) {
   std::vector<Mat<D>> blocks(row_of.size(), Mat<D>::Zero());
-  for (Energy<D>* term : terms_)
+  for (Energy<D>* term : terms())
     if (!term->assemble_stencil(H, row_of)) term->diagonal(blocks);
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     float* const to = H.diagonal_block(row_of[i]);
@@ -121,14 +126,15 @@ void IncrementalPotential<D>::assemble_stencil(StencilMatrix<D>& H, const std::v
 
 template <int D>
 double IncrementalPotential<D>::norm(const Vector& g) const {
-  return std::sqrt(g.cwiseAbs2().dot(weight_));
+  return std::sqrt(g.cwiseAbs2().dot(vectors_.weight));
 }
 
 template <int D>
 double IncrementalPotential<D>::scale() const {
   double s = 0;
-  for (Eigen::Index i = 0; i < magnitude_.size(); ++i)
-    if (!fixed_[static_cast<std::size_t>(i)]) s += magnitude_[i] * magnitude_[i] * weight_[i * D];
+  for (Eigen::Index i = 0; i < vectors_.magnitude.size(); ++i)
+    if (!vectors_.fixed[static_cast<std::size_t>(i)])
+      s += vectors_.magnitude[i] * vectors_.magnitude[i] * vectors_.weight[i * D];
   return std::max(reference_, std::sqrt(s));
 }
 

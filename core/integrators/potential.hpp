@@ -1,6 +1,9 @@
 // The incremental potential of a stage (THEORY T4): a sum of energies over the nodes of one plan.
 #pragma once
 
+#include <array>
+#include <span>
+
 #include "core/energies/energy.hpp"
 #include "core/grid/plan.hpp"
 #include "core/solvers/feasible_set.hpp"
@@ -8,12 +11,25 @@
 
 namespace pf {
 
+/// What an IncrementalPotential computes with; kept between steps for its memory alone.
+template <int D>
+struct PotentialVectors {
+  Vector weight;            ///< 1 / m_i, a component
+  Vector magnitude;         ///< s_i of the newest gradient
+  std::vector<char> fixed;  ///< nodes without any free direction
+  Vector over_free;
+  std::vector<Mat<D>> free;
+};
+
 template <int D>
 class IncrementalPotential final : public Objective<D> {
  public:
-  /// `terms` are referred to. `reference_forces`: the vectors whose norms T4 compares with, beside the elastic sizes.
+  /// `terms` are referred to, and `vectors` where it is given. `reference_forces`: the vectors whose norms T4 compares
+  /// with, beside the elastic sizes.
   IncrementalPotential(const Plan<D>& plan, const Vector& lumped_mass, const FeasibleSet<D>& set,
-                       std::vector<Energy<D>*> terms, const std::vector<const Vector*>& reference_forces);
+                       const std::vector<Energy<D>*>& terms, std::span<const Vector* const> reference_forces,
+                       PotentialVectors<D>* vectors = nullptr);
+  IncrementalPotential(const IncrementalPotential&) = delete;
 
   double value(const Vector& u) override;
   double gradient(const Vector& u, Vector& g) override;
@@ -32,11 +48,13 @@ class IncrementalPotential final : public Objective<D> {
 
   const Plan<D>& plan_;
   const FeasibleSet<D>& set_;
-  std::vector<Energy<D>*> terms_;
-  Vector weight_;            ///< 1 / m_i, a component
-  double reference_ = 0;     ///< the largest norm of the reference forces
-  Vector magnitude_;         ///< s_i of the newest gradient
-  std::vector<char> fixed_;  ///< nodes without any free direction
+  std::span<Energy<D>* const> terms() const { return {terms_.data(), term_count_}; }
+
+  std::array<Energy<D>*, 8> terms_{};
+  std::size_t term_count_ = 0;
+  double reference_ = 0;  ///< the largest norm of the reference forces
+  PotentialVectors<D> own_;
+  PotentialVectors<D>& vectors_;
   double energy_scale_ = 0;
   bool have_pattern_ = false;
 };

@@ -26,14 +26,16 @@ void rub(const FeasibleSet<D>& set, const Vector& before, Vector& u) {
 
 template <int D>
 NewtonResult SymplecticEuler<D>::advance(const StepProblem<D>& problem) {
-  const GridState<D>& grid = problem.grid;
-  Vector g = -problem.force, u = Vector::Zero(grid.v.size());
+  GridState<D>& grid = problem.grid;
+  Vector &g = g_, &a = a_, &u = grid.u;
+  g = -problem.force;
   problem.elastic.add_force_at_rest(g);
   if (problem.grab) {
     Vector magnitude = Vector::Zero(grid.mass.size());
+    u.setZero(grid.v.size());
     problem.grab->gradient(u, g, magnitude);
   }
-  Vector a = Vector::Zero(u.size());
+  a.setZero(grid.v.size());
   if (problem.mass.consistent()) {
     double residual = 0;
     problem.mass.solve(-g, a, residual);
@@ -45,11 +47,10 @@ NewtonResult SymplecticEuler<D>::advance(const StepProblem<D>& problem) {
   }
   const double kick = problem.kick > 0 ? problem.kick : problem.dt;
   u = problem.dt * (grid.v + kick * a);
-  const Vector before = u;
+  before_ = u;
   problem.set.project(u);
-  rub(problem.set, before, u);
-  problem.grid.u = u;
-  problem.grid.v_end = u / problem.dt;
+  rub(problem.set, before_, u);
+  grid.v_end = u / problem.dt;
   return {};
 }
 

@@ -12,6 +12,9 @@ class SymplecticEuler final : public Integrator<D> {
  public:
   double stage() const override { return 0; }
   NewtonResult advance(const StepProblem<D>& problem) override;
+
+ private:
+  Vector g_, a_, before_;  // kept between steps for their memory alone
 };
 
 }  // namespace pf

@@ -10,15 +10,19 @@ namespace pf {
 
 /// a.b, summed piece by piece in order.
 inline double dot(Parallel& parallel, const Vector& a, const Vector& b) {
+  constexpr int most = 64;  // pieces at a time
   const std::ptrdiff_t n = a.size();
   const int pieces = vector_pieces(n);
-  std::vector<double> sums(static_cast<std::size_t>(pieces));
-  parallel(pieces, [&](int k) {
-    const std::ptrdiff_t begin = k * vector_piece, count = std::min(vector_piece, n - begin);
-    sums[static_cast<std::size_t>(k)] = a.segment(begin, count).dot(b.segment(begin, count));
-  });
   double sum = 0;
-  for (const double s : sums) sum += s;
+  for (int first = 0; first < pieces; first += most) {
+    std::array<double, most> sums;
+    const int together = std::min(most, pieces - first);
+    parallel(together, [&](int k) {
+      const std::ptrdiff_t begin = (first + k) * vector_piece, count = std::min(vector_piece, n - begin);
+      sums[static_cast<std::size_t>(k)] = a.segment(begin, count).dot(b.segment(begin, count));
+    });
+    for (int k = 0; k < together; ++k) sum += sums[static_cast<std::size_t>(k)];
+  }
   return sum;
 }
 

@@ -12,8 +12,14 @@ template <int D>
 class Minimiser {
  public:
   Minimiser(Objective<D>& objective, const FeasibleSet<D>& set, LinearSolver<D>& linear, const NewtonSettings& settings,
-            const std::atomic<bool>* cancel, Vector& u)
-      : objective_(objective), set_(set), linear_(linear), settings_(settings), cancel_(cancel), u_(u) {}
+            const std::atomic<bool>* cancel, Vector& u, NewtonVectors<D>& vectors)
+      : objective_(objective),
+        set_(set),
+        linear_(linear),
+        settings_(settings),
+        cancel_(cancel),
+        u_(u),
+        vectors_(vectors) {}
 
   NewtonResult run();
 
@@ -43,11 +49,13 @@ class Minimiser {
   const NewtonSettings& settings_;
   const std::atomic<bool>* cancel_;
   Vector& u_;
-  Vector g_, free_g_, d_, trial_, trial_g_;
-  ActiveSet<D> active_;
-  Vector held_, model_g_, natural_g_;
-  Vector tau_;  ///< of FeasibleSet::natural_residual; empty until it is needed
-  std::vector<Mat<D>> blocks_;
+  NewtonVectors<D>& vectors_;
+  Vector &g_ = vectors_.g, &free_g_ = vectors_.free_g, &d_ = vectors_.d, &trial_ = vectors_.trial;
+  Vector &trial_g_ = vectors_.trial_g, &held_ = vectors_.held, &model_g_ = vectors_.model_g;
+  Vector &natural_g_ = vectors_.natural_g, &tau_ = vectors_.tau;
+  ActiveSet<D>& active_ = vectors_.active;
+  std::vector<Mat<D>>& blocks_ = vectors_.blocks;
+  bool have_tau_ = false;
   double E_ = 0, residual_ = 0, norm_ = 0, previous_norm_ = 0;
   bool project_ = false;
   double norm_when_projected_ = 0;
@@ -58,7 +66,7 @@ template <int D>
 void Minimiser<D>::reduce() {
   free_g_ = g_;
   set_.active_set(u_, free_g_, active_);
-  if (tau_.size() == 0) {
+  if (!have_tau_) {
     norm_ = objective_.norm(free_g_);
   } else {
     natural_g_ = free_g_;
@@ -86,6 +94,7 @@ template <int D>
 void Minimiser<D>::measure_stiffness() {
   blocks_.assign(static_cast<std::size_t>(u_.size() / D), Mat<D>::Zero());
   objective_.diagonal(blocks_);
+  have_tau_ = true;
   tau_.resize(u_.size() / D);
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     const double stiffness = blocks_[i].trace() / D;
@@ -107,7 +116,7 @@ LinearResult Minimiser<D>::solve_for_direction(NewtonIteration& record) {
   if (project_ && norm_ < 1e-2 * norm_when_projected_) project_ = false;
   for (;;) {
     objective_.prepare_hessian(u_, project_);
-    if (tau_.size() == 0 && one_sided()) measure_stiffness();
+    if (!have_tau_ && one_sided()) measure_stiffness();
     const LinearProblem<D> problem{objective_, set_, active_.directions, free_g_, forcing(), cancel_};
     LinearResult solved = linear_.solve(problem, d_);
     record.linear_iterations += solved.iterations;
@@ -166,7 +175,7 @@ LinearResult Minimiser<D>::meet_faces(NewtonIteration& record) {
 /// The step of Jacobi's projected method: crude, but E falls along it unless u is the minimum.
 template <int D>
 void Minimiser<D>::take_diagonal_step() {
-  if (tau_.size() == 0) measure_stiffness();
+  if (!have_tau_) measure_stiffness();
   d_.resize(u_.size());
   for (Eigen::Index i = 0; i < tau_.size(); ++i)
     d_.segment<D>(i * D) = -0.5 * tau_[i] * free_g_.template segment<D>(i * D);
@@ -203,8 +212,11 @@ bool Minimiser<D>::search_energy(NewtonIteration& record, double slope) {
 template <int D>
 bool Minimiser<D>::search_residual(NewtonIteration& record) {
   const double before = norm_;
-  const Vector start = u_, start_g = g_;
-  const ActiveSet<D> active = active_;
+  Vector &start = vectors_.start, &start_g = vectors_.start_g;
+  start = u_;
+  start_g = g_;
+  ActiveSet<D>& active = vectors_.start_active;
+  active = active_;
   const double start_E = E_;
   double alpha = 1;
   for (int k = 0; k < 8; ++k, alpha *= 0.5) {
@@ -238,6 +250,7 @@ bool Minimiser<D>::search(NewtonIteration& record) {
 
 template <int D>
 NewtonResult Minimiser<D>::run() {
+  result_.iterations.reserve(8);
   set_.project(u_);
   evaluate();
   if (!std::isfinite(E_)) return finish(NewtonStatus::infeasible_start);
@@ -284,13 +297,15 @@ NewtonResult Minimiser<D>::run() {
 
 template <int D>
 NewtonResult minimise(Objective<D>& objective, const FeasibleSet<D>& set, LinearSolver<D>& linear,
-                      const NewtonSettings& settings, const std::atomic<bool>* cancel, Vector& u) {
-  return Minimiser<D>(objective, set, linear, settings, cancel, u).run();
+                      const NewtonSettings& settings, const std::atomic<bool>* cancel, Vector& u,
+                      NewtonVectors<D>* vectors) {
+  NewtonVectors<D> own;
+  return Minimiser<D>(objective, set, linear, settings, cancel, u, vectors ? *vectors : own).run();
 }
 
 template NewtonResult minimise<2>(Objective<2>&, const FeasibleSet<2>&, LinearSolver<2>&, const NewtonSettings&,
-                                  const std::atomic<bool>*, Vector&);
+                                  const std::atomic<bool>*, Vector&, NewtonVectors<2>*);
 template NewtonResult minimise<3>(Objective<3>&, const FeasibleSet<3>&, LinearSolver<3>&, const NewtonSettings&,
-                                  const std::atomic<bool>*, Vector&);
+                                  const std::atomic<bool>*, Vector&, NewtonVectors<3>*);
 
 }  // namespace pf

@@ -1,8 +1,6 @@
 // Newton's method with line search for min E(u) over a feasible set (THEORY T4, T7).
 #pragma once
 
-#include <functional>
-
 #include "core/solvers/linear_solver.hpp"
 #include "core/step_report.hpp"
 
@@ -22,17 +20,29 @@ struct NewtonResult {
   std::vector<NewtonIteration> iterations;  ///< one entry an evaluated iterate, the last without a step
 };
 
+/// What a minimisation computes with; kept between solves for its memory alone.
+template <int D>
+struct NewtonVectors {
+  Vector g, free_g, d, trial, trial_g, held, model_g, natural_g;
+  Vector tau;  ///< of FeasibleSet::natural_residual; empty until it is needed
+  Vector start, start_g;
+  ActiveSet<D> active, start_active;
+  std::vector<Mat<D>> blocks;
+};
+
 /// The true Hessian is tried first; where it is not positive definite along the way, it is projected for that iteration
 /// and, since a neighbourhood of indefinite points is seldom left at once, for the rest of the solve until the residual
 /// has fallen by two orders. The step is searched along the projected path P(u + alpha d), E never rises; where
 /// differences of E are lost in rounding the gradient's norm decides instead. On failure u is the best iterate so far.
+/// `vectors`, where they are given, lend their memory.
 template <int D>
 NewtonResult minimise(Objective<D>& objective, const FeasibleSet<D>& set, LinearSolver<D>& linear,
-                      const NewtonSettings& settings, const std::atomic<bool>* cancel, Vector& u);
+                      const NewtonSettings& settings, const std::atomic<bool>* cancel, Vector& u,
+                      NewtonVectors<D>* vectors = nullptr);
 
 extern template NewtonResult minimise<2>(Objective<2>&, const FeasibleSet<2>&, LinearSolver<2>&, const NewtonSettings&,
-                                         const std::atomic<bool>*, Vector&);
+                                         const std::atomic<bool>*, Vector&, NewtonVectors<2>*);
 extern template NewtonResult minimise<3>(Objective<3>&, const FeasibleSet<3>&, LinearSolver<3>&, const NewtonSettings&,
-                                         const std::atomic<bool>*, Vector&);
+                                         const std::atomic<bool>*, Vector&, NewtonVectors<3>*);
 
 }  // namespace pf

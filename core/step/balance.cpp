@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pf {
@@ -63,27 +64,31 @@ Balance block_balance(const Particles<D>& particles, const Laws<D>& laws, const 
 template <int D>
 Balance particle_balance(const Particles<D>& particles, const Laws<D>& laws, const Plan<D>& plan, bool affine,
                          const Vec<D>& gravity, Parallel& parallel) {
-  std::vector<Balance> parts(plan.blocks().size());
-  parallel(static_cast<int>(parts.size()), [&](int k) {
-    const auto i = static_cast<std::size_t>(k);
-    parts[i] = block_balance(particles, laws, plan, plan.blocks()[i], affine, gravity);
-  });
+  constexpr std::size_t together = 256;
+  std::array<Balance, together> parts;
   Balance sum;
-  for (const Balance& b : parts) {
-    sum.kinetic += b.kinetic;
-    sum.elastic += b.elastic;
-    sum.potential += b.potential;
-    sum.momentum += b.momentum;
-    sum.angular_momentum += b.angular_momentum;
+  for (std::size_t first = 0; first < plan.blocks().size(); first += together) {
+    const std::size_t count = std::min(together, plan.blocks().size() - first);
+    parallel(static_cast<int>(count), [&](int k) {
+      const auto i = static_cast<std::size_t>(k);
+      parts[i] = block_balance(particles, laws, plan, plan.blocks()[first + i], affine, gravity);
+    });
+    for (std::size_t i = 0; i < count; ++i) {
+      sum.kinetic += parts[i].kinetic;
+      sum.elastic += parts[i].elastic;
+      sum.potential += parts[i].potential;
+      sum.momentum += parts[i].momentum;
+      sum.angular_momentum += parts[i].angular_momentum;
+    }
   }
   return sum;
 }
 
 template <int D>
-Vec3 grid_angular_momentum(const Plan<D>& plan, const Vector& u, const Vector& momentum) {
+Vec3 grid_angular_momentum(const Plan<D>& plan, const Vector& u, double part, const Vector& momentum) {
   Vec3 L = Vec3::Zero();
   for (int i = 0; i < plan.node_count(); ++i)
-    L += cross<D>(Vec<D>(plan.node_position(i) + u.segment<D>(i * D)), Vec<D>(momentum.segment<D>(i * D)));
+    L += cross<D>(Vec<D>(plan.node_position(i) + part * u.segment<D>(i * D)), Vec<D>(momentum.segment<D>(i * D)));
   return L;
 }
 
@@ -110,7 +115,7 @@ StateCheck check_state(const Particles<D>& particles, const Motion<D>& moved) {
 #define PF_INSTANTIATE(D)                                                                                        \
   template Balance particle_balance<D>(const Particles<D>&, const Laws<D>&, const Plan<D>&, bool, const Vec<D>&, \
                                        Parallel&);                                                               \
-  template Vec3 grid_angular_momentum<D>(const Plan<D>&, const Vector&, const Vector&);                          \
+  template Vec3 grid_angular_momentum<D>(const Plan<D>&, const Vector&, double, const Vector&);                  \
   template StateCheck check_state<D>(const Particles<D>&, const Motion<D>&);
 PF_INSTANTIATE(2)
 PF_INSTANTIATE(3)

@@ -12,9 +12,9 @@ namespace pf {
 template <int D>
 Balance particle_balance(const Particles<D>& particles, const Laws<D>& laws, const Plan<D>& plan, bool affine,
                          const Vec<D>& gravity, Parallel& parallel);
-/// sum_i x_i x p_i about the origin, p_i a momentum a node at positions x_i + u_i.
+/// sum_i x_i x p_i about the origin, p_i a momentum a node at positions x_i + part u_i.
 template <int D>
-Vec3 grid_angular_momentum(const Plan<D>& plan, const Vector& u, const Vector& momentum);
+Vec3 grid_angular_momentum(const Plan<D>& plan, const Vector& u, double part, const Vector& momentum);
 
 /// Extremes that decide whether a state may stand.
 struct StateCheck {

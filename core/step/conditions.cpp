@@ -63,7 +63,7 @@ void Conditions<D>::constrain(NodeConstraint<D>& c, const Vec<D>& x, const std::
 
 template <int D>
 void Conditions<D>::touch(NodeConstraint<D>& c, const Vec<D>& x, const std::vector<Vec<D>>& moved) const {
-  std::vector<Vec3> normals;
+  std::vector<Vec3>& normals = normals_;
   for (std::size_t k = 0; k < walls_.size(); ++k) {
     const Wall& wall = walls_[k];
     normals.clear();
@@ -102,24 +102,24 @@ void Conditions<D>::touch(NodeConstraint<D>& c, const Vec<D>& x, const std::vect
 }
 
 template <int D>
-FeasibleSet<D> Conditions<D>::at(const Plan<D>& plan, double t, double dt) const {
-  FeasibleSet<D> set;
+void Conditions<D>::at(const Plan<D>& plan, double t, double dt, FeasibleSet<D>& set) const {
+  set.constrained.clear();
   set.rounding = rounding_of_cell * plan.spacing();
-  if (walls_.empty() && fixings_.empty()) return set;
-  std::vector<Vec<D>> fixed_move, wall_move;
-  for (const Fixing& f : fixings_) fixed_move.push_back(f.velocity.integral(t, dt));
-  for (const Wall& w : walls_) wall_move.push_back(w.velocity.integral(t, dt));
+  if (walls_.empty() && fixings_.empty()) return;
+  fixed_move_.clear();
+  wall_move_.clear();
+  for (const Fixing& f : fixings_) fixed_move_.push_back(f.velocity.integral(t, dt));
+  for (const Wall& w : walls_) wall_move_.push_back(w.velocity.integral(t, dt));
   for (int i = 0; i < plan.node_count(); ++i) {
     NodeConstraint<D> c;
     c.node = i;
     const Vec<D> x = plan.node_position(i);
     std::array<int, D> by;
     by.fill(-1);
-    constrain(c, x, fixed_move, by);
-    touch(c, x, wall_move);
+    constrain(c, x, fixed_move_, by);
+    touch(c, x, wall_move_);
     if (c.faces > 0 || c.free != Mat<D>::Identity()) set.constrained.push_back(c);
   }
-  return set;
 }
 
 template <int D>

@@ -17,7 +17,13 @@ class Conditions {
 
   /// Classifies the plan's nodes at t and integrates the given velocities over [t, t + dt]. Throws InputError when two
   /// constraints set one component differently.
-  FeasibleSet<D> at(const Plan<D>& plan, double t, double dt) const;
+  FeasibleSet<D> at(const Plan<D>& plan, double t, double dt) const {
+    FeasibleSet<D> set;
+    at(plan, t, dt, set);
+    return set;
+  }
+  /// The same in the memory of `set`.
+  void at(const Plan<D>& plan, double t, double dt, FeasibleSet<D>& set) const;
   /// The boundaries move on over [t, t + dt].
   void advance(double t, double dt);
 
@@ -44,6 +50,8 @@ class Conditions {
   void constrain(NodeConstraint<D>& c, const Vec<D>& x, const std::vector<Vec<D>>& moved, std::array<int, D>& by) const;
   void touch(NodeConstraint<D>& c, const Vec<D>& x, const std::vector<Vec<D>>& moved) const;
 
+  mutable std::vector<Vec<D>> fixed_move_, wall_move_;  ///< of at(): kept for their memory alone
+  mutable std::vector<Vec3> normals_;                   ///< of touch()
   std::vector<Wall> walls_;
   std::vector<Fixing> fixings_;
   std::vector<Vec<D>> displacement_;

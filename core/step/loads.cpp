@@ -36,9 +36,9 @@ void Loads<D>::set_formulas(const Scene& scene) {
 }
 
 template <int D>
-Vector Loads<D>::force(const Plan<D>& plan, const Particles<D>& particles, const Vector& lumped_mass, double t,
-                       Parallel& parallel) const {
-  Vector f(lumped_mass.size() * D);
+void Loads<D>::force(const Plan<D>& plan, const Particles<D>& particles, const Vector& lumped_mass, double t,
+                     Parallel& parallel, Vector& f) const {
+  f.resize(lumped_mass.size() * D);
   for (Eigen::Index i = 0; i < lumped_mass.size(); ++i) f.segment<D>(i * D) = lumped_mass[i] * gravity_;
   if (!body_force_.zero()) {
     std::vector<Vec<D>> values(particles.size());
@@ -54,7 +54,6 @@ Vector Loads<D>::force(const Plan<D>& plan, const Particles<D>& particles, const
       traction[s] = traction_[surface_.tag[s]](surface_.X[s], surface_.x[s], t);
     surface_.spread(plan, traction, f);
   }
-  return f;
 }
 
 template class Loads<2>;

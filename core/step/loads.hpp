@@ -22,9 +22,9 @@ class Loads {
   SurfacePoints<D>& surface() { return surface_; }
   const SurfacePoints<D>& surface() const { return surface_; }
 
-  /// f_ext of all nodes at stage time t [N].
-  Vector force(const Plan<D>& plan, const Particles<D>& particles, const Vector& lumped_mass, double t,
-               Parallel& parallel) const;
+  /// `f` becomes f_ext of all nodes at stage time t [N].
+  void force(const Plan<D>& plan, const Particles<D>& particles, const Vector& lumped_mass, double t,
+             Parallel& parallel, Vector& f) const;
 
  private:
   Vec<D> gravity_;

@@ -112,8 +112,11 @@ class SimulationOf final : public Simulation {
   Plan<D> plan_;
   GridState<D> grid_;
   LastGrid last_grid_;
+  // Of one step; kept for their memory alone.
+  FeasibleSet<D> set_;
+  Vector force_, momentum_before_, momentum_after_;
   std::vector<RubbingNode<D>> rubbing_;  ///< of the last accepted step, by ascending index
-  Scratch scratch_;                      ///< tangents while a step is solved for, then what `moved_` points to
+  ElasticMemory elastic_memory_;         ///< tangents while a step is solved for, then what `moved_` points to
   Motion<D> moved_{};
   std::vector<std::uint32_t> probe_ids_;
 

@@ -122,16 +122,18 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
   const double stage = time_ + integrator.stage() * dt;
   grid_velocity(report);
   lap(report.ms.transfer);
-  FeasibleSet<D> set = conditions_.at(plan_, time_, dt);
+  FeasibleSet<D>& set = set_;
+  conditions_.at(plan_, time_, dt, set);
   guess_friction(set);
-  Vector force = loads_.force(plan_, particles_, grid_.mass, stage, parallel_);
+  Vector& force = force_;
+  loads_.force(plan_, particles_, grid_.mass, stage, parallel_, force);
   if (known_.manufactured()) known_.add_force(plan_, particles_, laws_, scene_, stage, parallel_, force);
   if (!force.allFinite() || !grid_.v.allFinite())
     return {Attempt::failed, "A load, a body force or a particle's velocity is not a finite number at t = " +
                                  number(stage) + " s: look at the expressions of the scene."};
   const MassMatrix<D> M(plan_, particles_, grid_.mass, scene_.integrator.mass == "consistent", parallel_, work_);
   if (M.consistent()) tell_of_blend(M, report);
-  ElasticEnergy<D> elastic(plan_, particles_, laws_, parallel_, work_, &scratch_);
+  ElasticEnergy<D> elastic(plan_, particles_, laws_, parallel_, work_, &elastic_memory_);
   std::optional<GrabSpring<D>> spring;
   if (grab_) spring.emplace(plan_, particles_, held_, Vec<D>(grab_->to.head<D>()), grab_stiffness_);
   const bool adaptive = control_->adaptive();
@@ -140,7 +142,7 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
   lap(report.ms.assemble);
   const NewtonSettings newton{scene_.solver.newton_tolerance, scene_.solver.max_newton};
   StepOutcome outcome{.choice = choice};
-  const NewtonResult solved =
+  NewtonResult solved =
       integrator.advance({plan_, M, elastic, spring ? &*spring : nullptr, set, force, dt, newton, *linear_, parallel_,
                           cancel, grid_, choice.kick, adaptive ? &outcome.error_rate : nullptr});
   const SolverWork solver_work = linear_->take_work();
@@ -155,13 +157,14 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
     if (const auto instead = control_->judge(outcome, time_, end_, report.control.given_up))
       return {Attempt::inexact, "", *instead};
   // Angular momentum by cause: what the two transfers change, and what the step on the grid does (THEORY T6).
-  Vector before, after;
+  Vector &before = momentum_before_, &after = momentum_after_;
   M.multiply(grid_.v, before);
   M.multiply(grid_.v_end, after);
-  const Vec3 L_before = grid_angular_momentum(plan_, Vector::Zero(grid_.u.size()), before);
-  const Vec3 L_after = grid_angular_momentum(plan_, grid_.u, after);
+  const Vec3 L_before = grid_angular_momentum(plan_, grid_.u, 0, before);
+  const Vec3 L_after = grid_angular_momentum(plan_, grid_.u, 1, after);
   // The step's forces are M (v_end - v) / dt and act at the scheme's stage, where the inner ones have no torque.
-  report.angular.outside = grid_angular_momentum<D>(plan_, integrator.stage() * grid_.u, after - before);
+  after -= before;
+  report.angular.outside = grid_angular_momentum(plan_, grid_.u, integrator.stage(), after);
   report.angular.time_integration = L_after - L_before - report.angular.outside;
   report.grab_force = spring ? spring->force(grid_.u).norm() : 0;
   lap(report.ms.diagnostics);
@@ -178,7 +181,7 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
   if (std::abs(time_ - end_) < 1e-9 * scene_.time.step) time_ = end_;
   report.dt = dt;
   report.step = accepted_.step + 1;
-  report.newton = solved.iterations;
+  report.newton = std::move(solved.iterations);
   report.residual = solved.residual;
   report.linear_iterations = solved.linear_iterations;
   report.active_nodes = plan_.node_count();
@@ -214,7 +217,7 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::judge(const NewtonResult& new
   }
   if (!grid_.u.allFinite() || !grid_.v_end.allFinite()) return {Attempt::failed, "The grid's motion is not finite."};
   // The tangents have served: their memory takes the particles' new state until the next plan sorts it.
-  moved_ = apart<D>(particles_.size(), transfer_->affine(), scratch_);
+  moved_ = apart<D>(particles_.size(), transfer_->affine(), elastic_memory_.tangents);
   transfer_->grid_to_particles(plan_, grid_, particles_, parallel_, moved_);
   move_particles(plan_, grid_.u, particles_, parallel_, moved_);
   work_.g2p += particles_.size();

@@ -34,7 +34,8 @@ template <int D>
 void particles_to_grid(const Plan<D>& plan, const Particles<D>& particles, bool affine, Parallel& parallel,
                        GridState<D>& grid) {
   constexpr int C = D + 1;  // momentum and mass travel together
-  Vector sums = Vector::Zero(static_cast<Eigen::Index>(plan.node_count()) * C);
+  Vector& sums = grid.sums;
+  sums.setZero(static_cast<Eigen::Index>(plan.node_count()) * C);
   with_nodes_per_axis(plan, [&](auto k) {
     constexpr int K = k;
     using S = Stencil<D, K, C>;
@@ -104,18 +105,17 @@ void lumped_velocity(const Plan<D>& plan, const Particles<D>& particles, GridSta
   const Eigen::Index n = grid.mass.size();
   grid.v.resize(n * D);
   const double rounding = 1e-14 * grid.mass.maxCoeff();
-  std::vector<char> massless(static_cast<std::size_t>(n), 0);
-  bool any = false;
+  std::vector<char> massless;  // seldom any
   for (Eigen::Index i = 0; i < n; ++i) {
     if (grid.mass[i] > rounding) {
       grid.v.template segment<D>(i * D) = grid.momentum.template segment<D>(i * D) / grid.mass[i];
     } else {
       grid.v.template segment<D>(i * D).setZero();
+      massless.resize(static_cast<std::size_t>(n), 0);
       massless[static_cast<std::size_t>(i)] = 1;
-      any = true;
     }
   }
-  if (any) fill_massless(plan, particles, massless, grid.v);
+  if (!massless.empty()) fill_massless(plan, particles, massless, grid.v);
 }
 
 template <int D>

@@ -19,6 +19,7 @@ struct GridState {
   Vector v;         ///< v_i^n [m/s]
   Vector u;         ///< x^_i - x_i [m]
   Vector v_end;     ///< v_i^{n+1} [m/s]
+  Vector sums;      ///< momentum and mass as they are gathered, D + 1 a node
 };
 
 template <int D>

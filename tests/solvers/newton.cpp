@@ -55,7 +55,8 @@ struct Problem {
   }
 
   NewtonResult solve(std::string_view solver, const NewtonSettings& settings = {}) {
-    const Vector free_flight = inertia->free_flight_force();
+    Vector free_flight;
+    inertia->free_flight_force(free_flight);
     potential = std::make_unique<IncrementalPotential<D>>(
         grid.plan, grid.state.mass, set, std::vector<Energy<D>*>{inertia.get(), &elastic, &external, &friction},
         std::vector<const Vector*>{&free_flight, &force});

@@ -73,7 +73,7 @@ struct RoundTrip {
 
 template <int D>
 Vec3 angular_of_grid(const Grid<D>& grid) {
-  return grid_angular_momentum<D>(grid.plan, Vector::Zero(grid.unknowns()), grid.state.momentum);
+  return grid_angular_momentum<D>(grid.plan, grid.state.momentum, 0, grid.state.momentum);
 }
 
 }  // namespace
