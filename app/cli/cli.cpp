@@ -34,6 +34,7 @@ struct Parsed {
   BenchOptions bench;
   CompareOptions compare;
   StudyRunOptions study;
+  VerifyOptions verify;
   std::string images;
   bool version = false;
 };
@@ -174,6 +175,18 @@ void add_study(CLI::App& app, StudyRunOptions& study) {
   command->footer(exit_statuses);
 }
 
+void add_verify(CLI::App& app, VerifyOptions& verify) {
+  CLI::App* command = app.add_subcommand("verify", "cases with known answers: error, observed order, pass or fail");
+  command->add_option("NAME", verify.cases, "cases to run, \"quick\" for the short ones, or files; default all");
+  command->add_flag("--list", verify.list, "the cases, one first on each line");
+  command->add_option("--json", verify.json, "write the results there, too")->type_name("FILE");
+  command->add_option("--out", verify.out, "keep each case's results.csv and charts in a folder of its name there")
+      ->type_name("DIR");
+  command->footer(
+      "A case is a study file with checks (docs/verification.md). Exit status: 0 all passed; 1 a check "
+      "failed;\n2 bad input; 4 a file could not be read or written; 130 interrupted.");
+}
+
 void add_compare(CLI::App& app, CompareOptions& compare) {
   CLI::App* command = app.add_subcommand("compare", "two run folders, field by field and in time");
   command->add_option("A", compare.a, "folder that run --out wrote")->required();
@@ -203,6 +216,7 @@ void add_commands(CLI::App& app, Parsed& parsed) {
   CLI::App* check = app.add_subcommand("check", "validate scenes: every problem found, not just the first");
   check->add_option("SCENE", parsed.files, "scene files")->required();
   add_study(app, parsed.study);
+  add_verify(app, parsed.verify);
   add_compare(app, parsed.compare);
   CLI::App* list = app.add_subcommand("list", "names that a scene may use, one first on each line");
   list->add_option("KIND", parsed.kind, "what to list")->required()->check(one_of(list_kinds()));
@@ -269,6 +283,7 @@ int dispatch(CLI::App& app, Parsed& parsed) {
   }
   if (app.got_subcommand("check")) return check_scenes(parsed.files);
   if (app.got_subcommand("study")) return run_studies(parsed.study);
+  if (app.got_subcommand("verify")) return verify(parsed.verify);
   if (app.got_subcommand("compare")) return compare_folders(parsed.compare);
   if (app.got_subcommand("list")) return list_names(parsed.kind);
   if (app.got_subcommand("schema")) return print_schema();

@@ -61,12 +61,21 @@ struct StudyRunOptions {
   bool fresh = false, quiet = false;
 };
 
+struct VerifyOptions {
+  std::vector<std::string>
+      cases;  ///< shipped cases, "quick" for the short ones of them, or files; none: all shipped ones
+  bool list = false;
+  std::optional<std::filesystem::path> json;
+  std::filesystem::path out;  ///< a folder of results and charts a case; "" keeps none
+};
+
 /// The whole command line, without the program's name. Never throws.
 int run_command_line(const std::vector<std::string>& arguments);
 
 int run_scene(const RunOptions& options);
 int check_scenes(const std::vector<std::string>& files);
 int run_studies(const StudyRunOptions& options);
+int verify(const VerifyOptions& options);
 int compare_folders(const CompareOptions& options);
 int list_names(const std::string& kind);
 int print_schema();

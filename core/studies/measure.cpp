@@ -7,6 +7,7 @@
 #include "core/params/problem.hpp"
 #include "core/runner.hpp"
 #include "core/studies/local_fit.hpp"
+#include "core/studies/probe_track.hpp"
 #include "core/studies/sampling_times.hpp"
 #include "core/studies/watchdog.hpp"
 #include "core/work_weights.hpp"
@@ -210,6 +211,7 @@ class Examiner final : public RunObserver {
 
   void on_state(const Simulation& simulation) override {
     const Balance& balance = simulation.report().balance;
+    if (!scene_.probes.empty()) probe_.add(simulation.time(), simulation.probes().front().x);
     if (!ledger_) {
       const std::vector<ParticleState> particles = simulation.particles();
       ledger_.emplace(scene_, particles, balance,
@@ -227,6 +229,7 @@ class Examiner final : public RunObserver {
   void fill(StudyRow& row) const {
     if (!ledger_) return;
     ledger_->fill(row);
+    probe_.fill(row);
     errors_.fill(row);
     noise_->fill(row);
   }
@@ -249,6 +252,7 @@ class Examiner final : public RunObserver {
   SamplingTimes times_;
   std::optional<Ledger> ledger_;
   std::optional<Noise> noise_;
+  ProbeTrack probe_;
   Errors errors_;
 };
 

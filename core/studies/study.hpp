@@ -57,6 +57,19 @@ struct StudyLimit {
   std::string x;  ///< expression in y
 };
 
+/// What a study's numbers must be: with such checks it is a verification case (`pushforward verify`).
+struct StudyCheck {
+  std::string name;             ///< what is checked, a line of the table
+  std::string of = "error_l2";  ///< a column of numbers
+  double per = 1;               ///< what it is divided by: an amplitude, a length, a stress
+  std::optional<double> exact;  ///< the value is |number - exact| / per
+  std::string order_in;         ///< column x: the value is the observed order, d log(of) / d log(x)
+  std::string rows = "last";    ///< last: of the last matching row, an order of the last two; all: of each of them
+  nlohmann::json where = nlohmann::json::object();  ///< matching rows have these values of varied columns
+  std::optional<double> above, below;               ///< bounds of the value
+  std::string peer;                                 ///< what the best peer reaches
+};
+
 struct Study {
   std::string source;  ///< where it was read from, for messages and titles
   std::string name, about;
@@ -77,6 +90,9 @@ struct Study {
   std::vector<std::pair<std::string, std::string>> titles;  ///< of columns, for charts: "Time step [s]"
   std::vector<StudyChart> charts;
   std::vector<StudyLimit> limits;
+  std::vector<StudyCheck> checks;
+  std::string reference_text;  ///< where the exact or trusted answer comes from
+  bool quick = false;          ///< takes a second or so: part of every test run
 };
 
 /// One setting of a study: which value of each axis, and what that makes of the scene.

@@ -11,6 +11,7 @@
 #include "core/params/nearest.hpp"
 #include "core/params/pointer.hpp"
 #include "core/scene/scene_io.hpp"
+#include "core/studies/checks.hpp"
 #include "core/studies/row.hpp"
 #include "core/studies/study_tables.hpp"
 
@@ -121,6 +122,28 @@ void take_reference(Reader& reader, const Json& reference, Study& study) {
 }
 
 /// A map has two axes of numbers first; charts and lines name columns that exist.
+/// Columns of numbers exist, rows can match, and something is bounded.
+void check_checks(Reader& reader, const Study& study) {
+  const std::vector<std::string> numbers = row_column_names(), varied = varied_columns(study);
+  for (std::size_t k = 0; k < study.checks.size(); ++k) {
+    const StudyCheck& check = study.checks[k];
+    const std::string pointer = "/checks/" + std::to_string(k);
+    if (find_row_column(check.of) == nullptr)
+      reader.refuse(pointer + "/of", quoted_excerpt(check.of), suggest(check.of, numbers));
+    if (!check.order_in.empty() && find_row_column(check.order_in) == nullptr)
+      reader.refuse(pointer + "/order_in", quoted_excerpt(check.order_in), suggest(check.order_in, numbers));
+    if (!check.above && !check.below) reader.refuse(pointer, "a check without bounds", "above, below, or both");
+    if (check.above && check.below && !(*check.above < *check.below))
+      reader.refuse(pointer + "/above", "a bound that is not less than below", "above < below");
+    for (const auto& [column, value] : check.where.items()) {
+      if (std::find(varied.begin(), varied.end(), column) == varied.end())
+        reader.refuse(pointer + "/where" + pointer_step(column), quoted_excerpt(column), suggest(column, varied));
+    }
+    if (reader.refused() == 0 && matching_points(study, check).empty())
+      reader.refuse(pointer + "/where", check.where.dump(), "values that are varied");
+  }
+}
+
 void check_charts(Reader& reader, const Study& study) {
   std::vector<std::string> names = row_column_names();
   const std::vector<std::string> varied = varied_columns(study);
@@ -259,6 +282,7 @@ Study parse_study(std::string_view text, const std::string& source, const fs::pa
   take_reference(reader, read.reference, study);
   if (reader.refused() == 0) check_scene_of(reader, study, !read.reference.is_null(), read.scene.is_object());
   if (reader.refused() == 0) check_charts(reader, study);
+  if (reader.refused() == 0) check_checks(reader, study);
   if (reader.refused() == 0) check_runs(reader, study);
   if (reader.refused() == 0) check_samples(reader, study);
   for (Problem& problem : reader.take_problems()) problems.push_back(std::move(problem));

@@ -6,7 +6,7 @@
 namespace pf {
 namespace {
 
-constexpr std::size_t most_charts = 50, most_limits = 50;
+constexpr std::size_t most_charts = 50, most_limits = 50, most_checks = 200;
 
 /// A row for a member of Study inside StudyDocument.
 template <class Member>
@@ -155,6 +155,29 @@ const Table& limit_table() {
   return table;
 }
 
+const Table& check_table() {
+  static const Table table = [] {
+    TableOf<StudyCheck> t("Check");
+    t.text(&StudyCheck::name, "name", "What is checked").required().at_least(1);
+    t.text(&StudyCheck::of, "of", "Column of numbers").at_least(1);
+    t.number(&StudyCheck::per, "per", "What it is divided by", "").above(0);
+    t.number(&StudyCheck::exact, "exact", "Exact value: what is judged is the distance from it", "");
+    t.text(&StudyCheck::order_in, "order_in", "Column in whose powers the numbers fall: what is judged is the order");
+    t.choice(&StudyCheck::rows, "rows", "Which rows").choices({"last", "all"});
+    t.number(&StudyCheck::above, "above", "Lower bound", "");
+    t.number(&StudyCheck::below, "below", "Upper bound", "");
+    t.text(&StudyCheck::peer, "peer", "What the best peer reaches");
+    Key& where = t.own(Nesting::map, nullptr, "where", "Values of varied columns");
+    where.read = [](Reader& r, const Json& j, void* o) {
+      if (!j.is_object()) return r.refuse(describe(j), "an object { \"column\": value, ... }");
+      static_cast<StudyCheck*>(o)->where = nlohmann::json(j);
+    };
+    where.write = [](const void*, const WriteStyle&) { return std::optional<Json>(); };
+    return t.take();
+  }();
+  return table;
+}
+
 /// A list or object inside Study.
 template <class Read>
 void nested(TableOf<StudyDocument>& t, const Table& (*child)(), const std::string& key, const std::string& label,
@@ -221,6 +244,16 @@ const Table& study_table() {
     nested(t, limit_table, "limits", "Limits drawn over a map", [](Reader& r, const Json& j, void* o) {
       read_list(r, j, limit_table(), most_limits, static_cast<StudyDocument*>(o)->study.limits);
     });
+    nested(t, check_table, "checks", "What must come out", [](Reader& r, const Json& j, void* o) {
+      read_list(r, j, check_table(), most_checks, static_cast<StudyDocument*>(o)->study.checks);
+    });
+    text_of(t, of_study(&Study::reference_text), "source", "Where the answer comes from");
+    Key& quick = t.own(Nesting::leaf, nullptr, "quick", "Part of every test run");
+    quick.read = [](Reader& r, const Json& j, void* o) {
+      if (!j.is_boolean()) return r.refuse(describe(j), "true or false");
+      static_cast<StudyDocument*>(o)->study.quick = j.get<bool>();
+    };
+    quick.write = [](const void*, const WriteStyle&) { return std::optional<Json>(); };
     return t.take();
   }();
   return table;
