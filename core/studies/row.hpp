@@ -29,8 +29,8 @@ struct StudyRow {
   double error_stress_l2 = not_measured, error_stress_max = not_measured;  ///< Cauchy [Pa]
   double energy_lost = not_measured, energy_gained = not_measured;         ///< share of the energy at play
   double energy_change = not_measured;  ///< the same with its sign, at the last time of which it is known
-  double momentum_drift = not_measured, angular_drift = not_measured;             ///< share of what moves
-  double stress_noise = not_measured, velocity_noise = not_measured;              ///< share of the rms
+  double momentum_drift = not_measured, angular_drift = not_measured;  ///< share of what moves
+  double stress_noise = not_measured, velocity_noise = not_measured;   ///< share of the rms
   /// Displacement of the first probe at the end, from where it was at first [m].
   double probe_ux = not_measured, probe_uy = not_measured, probe_uz = not_measured;
   double probe_period = not_measured;  ///< of its swing, along the axis on which it moves most [s]

@@ -22,10 +22,9 @@ TEST_CASE("--version names version, commit and compiler; --help every subcommand
   CHECK(contains(version.out, "pushforward 0.1.0 (commit "));
   const Outcome help = here.run("--help");
   CHECK(help.status == 0);
-  for (const char* command : {"run", "check", "study", "compare", "list", "schema"})
+  for (const char* command : {"run", "check", "verify", "study", "compare", "bench", "list", "schema"})
     CHECK(contains(help.out, std::string("\n  ") + command));
-  for (const char* unbuilt : {"verify"}) CHECK_FALSE(contains(help.out, std::string("\n  ") + unbuilt));
-  for (const char* command : {"run", "check", "study", "compare", "list", "schema"}) {
+  for (const char* command : {"run", "check", "verify", "study", "compare", "bench", "list", "schema"}) {
     CAPTURE(command);
     const Outcome own = here.run(std::string(command) + " --help");
     CHECK(own.status == 0);
@@ -42,7 +41,7 @@ TEST_CASE("bad usage: exit status 2, nothing on stdout, what was found and what 
   } cases[] = {
       {"run scene.json --setps 3", "did you mean --steps?"},
       {"run", "SCENE is required"},
-      {"verify", "is neither a command nor a scene file"},
+      {"veriyf", "did you mean verify?"},
       {"study", "STUDY is required"},
       {"study a.json", "--out is required"},
       {"compare a", "B is required"},
