@@ -50,10 +50,16 @@ struct Rule {
 constexpr std::array rules{
     Rule{"/transfer/flip_ratio", "",
          [](const Scene& s, std::string_view) { return has_inertia(s) && s.transfer.type == "flip"; }},
+    Rule{"/transfer/order", "",
+         [](const Scene& s, std::string_view) { return has_inertia(s) && s.transfer.type == "fmpm"; }},
     Rule{"/transfer/velocity_mass", "",
-         [](const Scene& s, std::string_view) { return has_inertia(s) && s.transfer.type != "apic"; }},
+         [](const Scene& s, std::string_view) {
+           return has_inertia(s) && s.transfer.type != "apic" && s.transfer.type != "fmpm";
+         }},
     Rule{"/transfer/", "", [](const Scene& s, std::string_view) { return has_inertia(s); }},
     Rule{"/time/tolerance", "", [](const Scene& s, std::string_view) { return adaptive(s); }},
+    Rule{"/integrator/spectral_radius", "",
+         [](const Scene& s, std::string_view) { return s.integrator.type == "generalized_alpha"; }},
     Rule{"/integrator/mass", "", [](const Scene& s, std::string_view) { return has_inertia(s) && !explicit_step(s); }},
     Rule{"/solver/", "", [](const Scene& s, std::string_view) { return !explicit_step(s); }},
     Rule{"/boundaries/", "/friction", rubs},

@@ -34,6 +34,7 @@ void draw_time_panel(AppContext& context) {
   setting_widget(context, "/time/step");
   compare_with_explicit(context.scene);
   setting_widget(context, "/integrator/type");
+  setting_widget(context, "/integrator/spectral_radius");
   setting_widget(context, "/time/control");
   setting_widget(context, "/time/tolerance");
   setting_widget(context, "/time/end");

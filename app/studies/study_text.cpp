@@ -41,7 +41,7 @@ ordered_json fine_run(const StudyDraft& draft, const Scene& scene) {
     edits["/grid/spacing"] = finest.grid.spacing = least / 2;
   }
   const bool short_enough = draft.fine_step <= 0.5 * explicit_limit(finest).value_or(0);
-  if (short_enough && scene.integrator.type == "backward_euler") edits["/integrator/type"] = "symplectic_euler";
+  if (short_enough && scene.integrator.type != "quasi_static") edits["/integrator/type"] = "symplectic_euler";
   return edits;
 }
 

@@ -1,4 +1,5 @@
-// Inertia: (u - dt v^n)^T M (u - dt v^n) / (2 dt^2) (THEORY T4), with the lumped or the consistent mass matrix.
+// Inertia: (u - dt v^n)^T M (u - dt v^n) / (2 dt^2) (THEORY T4), with the lumped or the consistent mass matrix; of
+// other time schemes scale/2 (u - u_free)^T M (u - u_free).
 #pragma once
 
 #include "core/energies/energy.hpp"
@@ -19,6 +20,11 @@ class Inertia final : public Energy<D> {
       : mass_(mass), scale_(1 / (dt * dt)), vectors_(vectors ? *vectors : own_) {
     vectors_.u_free = dt * v;
   }
+  /// `scale` in 1/s^2; `u_free`: where the nodes go without forces.
+  Inertia(const MassMatrix<D>& mass, double scale, const Vector& u_free, InertiaVectors* vectors = nullptr)
+      : mass_(mass), scale_(scale), vectors_(vectors ? *vectors : own_) {
+    vectors_.u_free = u_free;
+  }
   Inertia(const Inertia&) = delete;
 
   double value(const Vector& u) override;
@@ -27,7 +33,7 @@ class Inertia final : public Energy<D> {
   void hessian_product(const Vector& p, Vector& Hp) override;
   void diagonal(std::vector<Mat<D>>& blocks) override;
   void assemble(BlockMatrix<D>& H) override;
-  /// M (x~ - x)/dt^2: what Newton's tolerance is measured against [N].
+  /// scale M (x~ - x): what Newton's tolerance is measured against [N].
   void free_flight_force(Vector& f) const;
 
  private:

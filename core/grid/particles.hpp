@@ -17,6 +17,7 @@ struct Particles {
   std::vector<Vec<D>> v;                ///< velocity [m/s]
   std::vector<Mat<D>> F;                ///< deformation gradient
   std::vector<Mat<D>> C;                ///< APIC's affine velocity B D^-1 [1/s]; zero under other transfers
+  std::vector<Vec<D>> a;                ///< acceleration [m/s^2]; empty unless the time scheme carries one
   std::vector<double> mass;             ///< m_p = R0 V_p^0 [kg]
   std::vector<double> volume0;          ///< V_p^0 [m^D]
   std::vector<std::uint32_t> id;        ///< index at t = 0
@@ -27,11 +28,11 @@ struct Particles {
   /// Calls f(array) for each array: what sorting, saving and sizing have in common.
   template <class Function>
   void each(Function&& f) {
-    f(X), f(x), f(v), f(F), f(C), f(mass), f(volume0), f(id), f(body), f(material);
+    f(X), f(x), f(v), f(F), f(C), f(a), f(mass), f(volume0), f(id), f(body), f(material);
   }
   template <class Function>
   void each(Function&& f) const {
-    f(X), f(x), f(v), f(F), f(C), f(mass), f(volume0), f(id), f(body), f(material);
+    f(X), f(x), f(v), f(F), f(C), f(a), f(mass), f(volume0), f(id), f(body), f(material);
   }
 };
 

@@ -107,6 +107,7 @@ void Plan<D>::permute(Particles<D>& particles, const Motion<D>& moved, Parallel&
   sorted(particles.v, moved.v);
   sorted(particles.F, moved.F);
   if (moved.C) sorted(particles.C, moved.C);
+  if (!particles.a.empty()) sorted(particles.a, particles.a.data());
   sorted(particles.X, particles.X.data());
   sorted(particles.mass, particles.mass.data());
   sorted(particles.volume0, particles.volume0.data());

@@ -2,25 +2,19 @@
 // cannot resolve: E/E0 = (1 + w^2 dt^2)^-n.
 #pragma once
 
-#include "core/energies/inertia.hpp"
-#include "core/integrators/integrator.hpp"
-#include "core/integrators/potential.hpp"
+#include "core/integrators/stage.hpp"
 
 namespace pf {
 
 template <int D>
 class BackwardEuler final : public Integrator<D> {
  public:
-  double stage() const override { return 1; }
-  NewtonResult advance(const StepProblem<D>& problem) override;
+  StepResult advance(const StepProblem<D>& problem) override;
 
  private:
   // Kept between steps for their memory alone.
-  std::vector<Energy<D>*> terms_;
-  InertiaVectors inertia_;
-  PotentialVectors<D> potential_;
-  NewtonVectors<D> newton_;
-  Vector free_flight_, flight_, g_, change_;
+  StageMemory<D> memory_;
+  Vector u_free_, loads_;
 };
 
 }  // namespace pf

@@ -1,4 +1,10 @@
 // A time scheme: what it asks the solver to minimise, and which velocity the grid has afterwards.
+//
+// A step has one or more stages, at each of which forces are evaluated. Every stage deforms the particles from their
+// state at t^n: the trial F^ F^{e,n} of an inelastic law starts from the elastic part that the last step left, at each
+// stage afresh, and is returned to the yield surface there; what a stage returned is forgotten. The state changes once,
+// at the step's end, when the whole F^ is returned (THEORY T3, T5). Midpoint and generalised-alpha extrapolate beyond
+// their stage: the end's stress is admissible, too, but the balance was met by the stage's.
 #pragma once
 
 #include <atomic>
@@ -15,6 +21,23 @@
 
 namespace pf {
 
+/// What forces gave the nodes while they stood at x + u: there inner forces have no torque.
+struct StageImpulse {
+  Vector u;        ///< [m]
+  Vector impulse;  ///< [N s]
+};
+
+/// What a stage asks of the scene.
+template <int D>
+class StepConditions {
+ public:
+  virtual ~StepConditions() = default;
+  /// f_ext at t + fraction dt [N].
+  virtual void force(double fraction, Vector& f) = 0;
+  /// Constraints and boundaries over the first part of the step.
+  virtual FeasibleSet<D> set_of_part(double fraction) = 0;
+};
+
 /// What one step on the grid works with. All parts outlive the call.
 template <int D>
 struct StepProblem {
@@ -23,33 +46,48 @@ struct StepProblem {
   ElasticEnergy<D>& elastic;
   GrabSpring<D>* grab;  ///< may be null
   FeasibleSet<D>& set;  ///< constraints and boundaries, displacements over dt; in and out: the friction bounds
-  const Vector& force;  ///< f_ext at the scheme's stage time [N]
+  StepConditions<D>& conditions;
   double dt;
   NewtonSettings newton;
   LinearSolver<D>& linear;
   Parallel& parallel;
   const std::atomic<bool>* cancel;
-  GridState<D>& grid;            ///< in: mass, v; out: u, v_end
+  GridState<D>& grid;            ///< in: mass, v, perhaps a; out: u, v_end, perhaps a_end
   double kick = 0;               ///< explicit: how long forces change the velocities [s] (StepChoice); 0: dt
   double* error_rate = nullptr;  ///< out, where it is wanted: the local error in position, rms over mass, over dt [m/s]
+};
+
+/// How a step on the grid ended.
+struct StepResult {
+  NewtonResult newton;
+  /// Where the step's forces acted; empty: all at x + force_place() u.
+  std::vector<StageImpulse> impulses;
 };
 
 template <int D>
 class Integrator {
  public:
   virtual ~Integrator() = default;
-  /// Time at which loads are evaluated, as a fraction of the step: 1 for backward Euler, 0 for symplectic Euler.
-  virtual double stage() const = 0;
-  virtual NewtonResult advance(const StepProblem<D>& problem) = 0;
+  /// Where the forces act that make v_end of v, as a part of the step's displacement: 1 for backward Euler, 0 for
+  /// symplectic Euler; for the ledger of angular momentum.
+  virtual double force_place() const { return 1; }
+  /// Whether particles carry an acceleration from step to step (GridState::a).
+  virtual bool carries_acceleration() const { return false; }
+  virtual StepResult advance(const StepProblem<D>& problem) = 0;
 };
 
 struct IntegratorInfo {
   std::string_view name, label, about;
   bool implicit;
+  bool inertia = true;    ///< false: equilibrium at every step
+  bool adaptive = false;  ///< step control knows its error
+  int order = 1;          ///< of convergence in dt, where the motion is smooth
 };
 std::span<const IntegratorInfo> integrators();
-/// Throws std::invalid_argument for an unknown name.
+/// nullptr for an unknown name.
+const IntegratorInfo* find_integrator(std::string_view name);
+/// `spectral_radius`: of generalised-alpha, 0 to 1. Throws std::invalid_argument for an unknown name.
 template <int D>
-std::unique_ptr<Integrator<D>> make_integrator(std::string_view name);
+std::unique_ptr<Integrator<D>> make_integrator(std::string_view name, double spectral_radius = 0.8);
 
 }  // namespace pf

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/integrators/stage.hpp"
+
 namespace pf {
 
 namespace {
@@ -22,36 +24,60 @@ void rub(const FeasibleSet<D>& set, const Vector& before, Vector& u) {
   }
 }
 
+/// The accelerations that lead to the displacements of `set` in u = dt (v + kick a).
+template <int D>
+FeasibleSet<D> in_accelerations(const FeasibleSet<D>& set, const Vector& v, double dt, double kick) {
+  FeasibleSet<D> result = set;
+  for (NodeConstraint<D>& c : result.constrained) {
+    const Vec<D> v_i = v.segment<D>(c.node * D);
+    c.given = ((c.given / dt - (v_i - c.free * v_i)) / kick).eval();
+    for (std::size_t k = 0; k < static_cast<std::size_t>(c.faces); ++k)
+      c.offset[k] = (c.offset[k] / dt - c.normal[k].dot(v_i)) / kick;
+    c.friction = c.rub_bound = 0;
+  }
+  return result;
+}
+
 }  // namespace
 
 template <int D>
-NewtonResult SymplecticEuler<D>::advance(const StepProblem<D>& problem) {
+StepResult SymplecticEuler<D>::advance(const StepProblem<D>& problem) {
   GridState<D>& grid = problem.grid;
-  Vector &g = g_, &a = a_, &u = grid.u;
-  g = -problem.force;
-  problem.elastic.add_force_at_rest(g);
-  if (problem.grab) {
-    Vector magnitude = Vector::Zero(grid.mass.size());
-    u.setZero(grid.v.size());
-    problem.grab->gradient(u, g, magnitude);
-  }
-  a.setZero(grid.v.size());
-  if (problem.mass.consistent()) {
+  forces_at_start(problem, start_);
+  force_ = start_.loads + start_.inner;
+  const double dt = problem.dt, kick = problem.kick > 0 ? problem.kick : dt;
+  const Vector& m = grid.mass;
+  // A node whose mass is rounding has no acceleration of its own.
+  const double rounding = 1e-14 * m.maxCoeff();
+  const auto over_mass = [&](const Vector& f, Vector& a) {
+    a.setZero(f.size());
+    for (Eigen::Index i = 0; i < m.size(); ++i)
+      if (m[i] > rounding) a.segment<D>(i * D) = f.segment<D>(i * D) / m[i];
+  };
+  NewtonResult result;
+  over_mass(force_, a_);
+  if (!problem.mass.consistent()) {
+    before_ = dt * (grid.v + kick * a_);
+  } else if (problem.set.constrained.empty()) {
     double residual = 0;
-    problem.mass.solve(-g, a, residual);
+    a_.setZero();
+    problem.mass.solve(force_, a_, residual);
+    before_ = dt * (grid.v + kick * a_);
   } else {
-    // A node whose mass is rounding has no acceleration of its own.
-    const double rounding = 1e-14 * grid.mass.maxCoeff();
-    for (Eigen::Index i = 0; i < grid.mass.size(); ++i)
-      if (grid.mass[i] > rounding) a.segment<D>(i * D) = -g.segment<D>(i * D) / grid.mass[i];
+    // A full mass couples what is held with what is free: both are one system. What the walls give is its residual.
+    result = minimise_acceleration(problem, force_, in_accelerations(problem.set, grid.v, dt, kick), a_);
+    Vector reaction, by_walls;
+    problem.mass.multiply(a_, reaction);
+    reaction -= force_;
+    over_mass(reaction, by_walls);
+    before_ = dt * (grid.v + kick * (a_ - by_walls));
+    result.iterations.clear();  // of a linear system
   }
-  const double kick = problem.kick > 0 ? problem.kick : problem.dt;
-  u = problem.dt * (grid.v + kick * a);
-  before_ = u;
-  problem.set.project(u);
-  rub(problem.set, before_, u);
-  grid.v_end = u / problem.dt;
-  return {};
+  grid.u = dt * (grid.v + kick * a_);
+  problem.set.project(grid.u);
+  rub(problem.set, before_, grid.u);
+  grid.v_end = grid.u / dt;
+  return {std::move(result), {}};
 }
 
 template class SymplecticEuler<2>;

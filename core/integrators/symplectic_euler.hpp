@@ -3,18 +3,20 @@
 // stand half a step before its places: leapfrog, of second order.
 #pragma once
 
-#include "core/integrators/integrator.hpp"
+#include "core/integrators/stage.hpp"
 
 namespace pf {
 
 template <int D>
 class SymplecticEuler final : public Integrator<D> {
  public:
-  double stage() const override { return 0; }
-  NewtonResult advance(const StepProblem<D>& problem) override;
+  double force_place() const override { return 0; }
+  StepResult advance(const StepProblem<D>& problem) override;
 
  private:
-  Vector g_, a_, before_;  // kept between steps for their memory alone
+  // Kept between steps for their memory alone.
+  StartForces start_;
+  Vector force_, a_, before_;
 };
 
 }  // namespace pf

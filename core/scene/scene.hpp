@@ -69,13 +69,15 @@ struct TimeSettings {
 
 struct IntegratorSettings {
   std::string type = "backward_euler";
-  std::string mass = "lumped";  ///< inertia mass
+  std::string mass = "lumped";   ///< inertia mass
+  double spectral_radius = 0.8;  ///< of generalised-alpha
   bool operator==(const IntegratorSettings&) const = default;
 };
 
 struct TransferSettings {
   std::string type = "flip";
   double flip_ratio = 0.95;
+  int order = 2;  ///< of FMPM
   std::string velocity_mass = "lumped";
   bool operator==(const TransferSettings&) const = default;
 };

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <unordered_set>
 
+#include "core/integrators/integrator.hpp"
 #include "core/math/expression_names.hpp"
 #include "core/params/json_text.hpp"
 #include "core/params/nearest.hpp"
@@ -63,6 +64,13 @@ void check_references(Reader& reader, const Scene& scene) {
   check_unique(reader, scene.probes, "probes");
 }
 
+std::string adaptive_integrators() {
+  std::string names;
+  for (const IntegratorInfo& info : integrators())
+    if (info.adaptive) names += (names.empty() ? "" : ", ") + std::string(info.name);
+  return names;
+}
+
 /// `exact` gives the initial velocity (fine print 5): one in the file would contradict it.
 void check_exact(Reader& reader, const Scene& scene, const Json& document) {
   const bool exact = document.contains("exact");
@@ -77,6 +85,19 @@ void check_exact(Reader& reader, const Scene& scene, const Json& document) {
       reader.refuse("/bodies/" + std::to_string(k) + "/velocity", "a velocity beside \"exact\"",
                     "none: \"exact\" gives the initial velocity");
   }
+}
+
+/// What a time scheme cannot be combined with.
+void check_integrator(Reader& reader, const Scene& scene) {
+  const IntegratorInfo* integrator = find_integrator(scene.integrator.type);
+  if (!integrator) return;
+  if (scene.time.control == "adaptive" && !integrator->adaptive)
+    reader.refuse("/time/control", "\"adaptive\" beside the integrator " + quoted_excerpt(scene.integrator.type),
+                  "\"fixed\", or an integrator whose error adaptive steps know: " + adaptive_integrators());
+  if (scene.manufactured && !integrator->inertia)
+    reader.refuse(
+        "/manufactured", "true beside " + quoted_excerpt(scene.integrator.type),
+        "false: the forces that it derives balance the motion's inertia, which a quasi-static step leaves out");
 }
 
 std::size_t count_values(const Json& json) {
@@ -154,6 +175,12 @@ void check_scene(Reader& reader, const Scene& scene, const Json& document) {
                   "\"consistent\" } is "
                   "allowed with apic");
   }
+  if (scene.transfer.type == "fmpm" && scene.transfer.velocity_mass == "consistent")
+    reader.refuse(
+        "/transfer/velocity_mass", "\"consistent\" beside \"fmpm\"",
+        "\"lumped\": fmpm goes from there towards the consistent velocity transfer by its \"order\". \"pic\" with "
+        "\"consistent\" is where it would end");
+  check_integrator(reader, scene);
   // Beside "fixed" it waits to be used again; without a word on control it was forgotten.
   if (scene.time.tolerance && !document["time"].contains("control"))
     reader.refuse("/time/tolerance", "a tolerance without \"control\"", "\"control\": \"adaptive\" beside it");

@@ -88,6 +88,14 @@ const Table& integrator_table() {
         .live()
         .help(
             "Mass matrix of the inertia term. Lumped is diagonal; the consistent one is more accurate and costs more.");
+    t.number(&IntegratorSettings::spectral_radius, "spectral_radius", "Spectral radius", "")
+        .at_least(0)
+        .at_most(1)
+        .slider(0, 1)
+        .live()
+        .help(
+            "What a step leaves of waves too short for it: 1 all of their amplitude, 0 nothing. Used by "
+            "generalized_alpha only.");
     return t.take();
   }();
   return table;
@@ -109,6 +117,15 @@ const Table& transfer_table() {
         .live()
         .help(
             "Share of FLIP in the blend; the rest is PIC. 1 keeps energy and noise, 0 is pure PIC. Used by flip only.");
+    t.integer(&TransferSettings::order, "order", "FMPM order")
+        .at_least(1)
+        .at_most(100)
+        .slider(1, 10)
+        .live()
+        .help(
+            "How far FMPM takes back what averaging smooths away: 1 is PIC, 2 to 4 lose little of what the grid can "
+            "hold, "
+            "many bring noise back and cost as many mass products. Used by fmpm only.");
     t.choice(&TransferSettings::velocity_mass, "velocity_mass", "Velocity-transfer mass")
         .choices(mass_choices())
         .live()

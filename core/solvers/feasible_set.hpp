@@ -25,6 +25,9 @@ struct NodeConstraint {
   Vec<D> rub_normal = Vec<D>::Zero();  ///< the face that it rubs against
   double rub_bound = 0;        ///< mu f_n, frozen during a minimisation [N]; starts from a guess, 0 when there is none
   bool by_constraint = false;  ///< fixed by "constraints", not by a boundary
+  // At the step's end, of the fixed directions (free * ... = 0) and of the wall: for schemes that carry more than u.
+  Vec<D> given_velocity = Vec<D>::Zero(), wall_velocity = Vec<D>::Zero();          ///< [m/s]
+  Vec<D> given_acceleration = Vec<D>::Zero(), wall_acceleration = Vec<D>::Zero();  ///< mean over the step [m/s^2]
 };
 
 /// Lengths of no meaning: gaps and slips below this part of a cell are zero.

@@ -40,7 +40,15 @@ Conditions<D>::Conditions(const Scene& scene) : tolerance_(1e-9 * scene.grid.spa
 }
 
 template <int D>
-void Conditions<D>::constrain(NodeConstraint<D>& c, const Vec<D>& x, const std::vector<Vec<D>>& moved,
+typename Conditions<D>::Moved Conditions<D>::moved_by(const FormulaField<D>& velocity, double t, double dt) {
+  if (velocity.zero()) return {Vec<D>::Zero(), Vec<D>::Zero(), Vec<D>::Zero()};
+  const Vec<D> nowhere = Vec<D>::Zero(), end = velocity(nowhere, nowhere, t + dt);
+  const Vec<D> gained = end - velocity(nowhere, nowhere, t);
+  return {velocity.integral(t, dt), end, dt > 0 ? Vec<D>(gained / dt) : Vec<D>::Zero()};
+}
+
+template <int D>
+void Conditions<D>::constrain(NodeConstraint<D>& c, const Vec<D>& x, const std::vector<Moved>& moved,
                               std::array<int, D>& by) const {
   for (std::size_t k = 0; k < fixings_.size(); ++k) {
     const Fixing& fixing = fixings_[k];
@@ -48,13 +56,16 @@ void Conditions<D>::constrain(NodeConstraint<D>& c, const Vec<D>& x, const std::
     for (int a = 0; a < D; ++a) {
       const auto s = static_cast<std::size_t>(a);
       if (!fixing.fix[s]) continue;
-      if (by[s] >= 0 && std::abs(c.given[a] - moved[k][a]) > 1e-12 * (std::abs(c.given[a]) + std::abs(moved[k][a])))
+      const double move = moved[k].displacement[a];
+      if (by[s] >= 0 && std::abs(c.given[a] - move) > 1e-12 * (std::abs(c.given[a]) + std::abs(move)))
         throw InputError(
             "", {{"/constraints/" + std::to_string(k),
                   "another velocity for component " + std::to_string(a) + " than /constraints/" + std::to_string(by[s]),
                   "one velocity for each component where regions overlap", 0}});
       by[s] = static_cast<int>(k);
-      c.given[a] = moved[k][a];
+      c.given[a] = move;
+      c.given_velocity[a] = moved[k].velocity[a];
+      c.given_acceleration[a] = moved[k].acceleration[a];
       c.free(a, a) = 0;
       c.by_constraint = true;
     }
@@ -62,7 +73,7 @@ void Conditions<D>::constrain(NodeConstraint<D>& c, const Vec<D>& x, const std::
 }
 
 template <int D>
-void Conditions<D>::touch(NodeConstraint<D>& c, const Vec<D>& x, const std::vector<Vec<D>>& moved) const {
+void Conditions<D>::touch(NodeConstraint<D>& c, const Vec<D>& x, const std::vector<Moved>& moved) const {
   std::vector<Vec3>& normals = normals_;
   for (std::size_t k = 0; k < walls_.size(); ++k) {
     const Wall& wall = walls_[k];
@@ -70,7 +81,9 @@ void Conditions<D>::touch(NodeConstraint<D>& c, const Vec<D>& x, const std::vect
     wall.solid->contact_normals(in_space<D>(Vec<D>(x - displacement_[k])), wall.invert, tolerance_, normals);
     if (normals.empty()) continue;
     if (wall.contact == Wall::stick) {
-      c.given += c.free * moved[k];
+      c.given += c.free * moved[k].displacement;
+      c.given_velocity += c.free * moved[k].velocity;
+      c.given_acceleration += c.free * moved[k].acceleration;
       c.free.setZero();
       continue;
     }
@@ -79,14 +92,21 @@ void Conditions<D>::touch(NodeConstraint<D>& c, const Vec<D>& x, const std::vect
       const Vec<D> axis = c.free * n;
       if (axis.norm() < 1e-6) continue;  // a constraint or another wall has it already
       c.friction = std::max(c.friction, wall.friction);
-      c.wall = moved[k];
+      c.wall = moved[k].displacement;
+      c.wall_velocity = moved[k].velocity;
+      c.wall_acceleration = moved[k].acceleration;
       if (wall.contact == Wall::slip) {
         const Vec<D> direction = axis.normalized();
-        c.given += direction * (n.dot(moved[k] - c.given) / n.dot(direction));
+        const auto follow = [&](const Vec<D>& of_wall, Vec<D>& given) {
+          given += direction * (n.dot(of_wall - given) / n.dot(direction));
+        };
+        follow(c.wall, c.given);
+        follow(c.wall_velocity, c.given_velocity);
+        follow(c.wall_acceleration, c.given_acceleration);
         c.free -= direction * direction.transpose();
       } else if (c.faces < D) {
         c.normal[static_cast<std::size_t>(c.faces)] = n;
-        c.offset[static_cast<std::size_t>(c.faces)] = n.dot(moved[k]);
+        c.offset[static_cast<std::size_t>(c.faces)] = n.dot(c.wall);
         ++c.faces;
       }
     }
@@ -108,8 +128,8 @@ void Conditions<D>::at(const Plan<D>& plan, double t, double dt, FeasibleSet<D>&
   if (walls_.empty() && fixings_.empty()) return;
   fixed_move_.clear();
   wall_move_.clear();
-  for (const Fixing& f : fixings_) fixed_move_.push_back(f.velocity.integral(t, dt));
-  for (const Wall& w : walls_) wall_move_.push_back(w.velocity.integral(t, dt));
+  for (const Fixing& f : fixings_) fixed_move_.push_back(moved_by(f.velocity, t, dt));
+  for (const Wall& w : walls_) wall_move_.push_back(moved_by(w.velocity, t, dt));
   for (int i = 0; i < plan.node_count(); ++i) {
     NodeConstraint<D> c;
     c.node = i;

@@ -47,11 +47,19 @@ class Conditions {
     std::array<bool, D> fix{};
   };
 
-  void constrain(NodeConstraint<D>& c, const Vec<D>& x, const std::vector<Vec<D>>& moved, std::array<int, D>& by) const;
-  void touch(NodeConstraint<D>& c, const Vec<D>& x, const std::vector<Vec<D>>& moved) const;
+  /// How a wall or a fixed region moves over [t, t + dt].
+  struct Moved {
+    Vec<D> displacement;  ///< [m]
+    Vec<D> velocity;      ///< at t + dt [m/s]
+    Vec<D> acceleration;  ///< mean [m/s^2]
+  };
 
-  mutable std::vector<Vec<D>> fixed_move_, wall_move_;  ///< of at(): kept for their memory alone
-  mutable std::vector<Vec3> normals_;                   ///< of touch()
+  static Moved moved_by(const FormulaField<D>& velocity, double t, double dt);
+  void constrain(NodeConstraint<D>& c, const Vec<D>& x, const std::vector<Moved>& moved, std::array<int, D>& by) const;
+  void touch(NodeConstraint<D>& c, const Vec<D>& x, const std::vector<Moved>& moved) const;
+
+  mutable std::vector<Moved> fixed_move_, wall_move_;  ///< of at(): kept for their memory alone
+  mutable std::vector<Vec3> normals_;                  ///< of touch()
   std::vector<Wall> walls_;
   std::vector<Fixing> fixings_;
   std::vector<Vec<D>> displacement_;

@@ -9,12 +9,6 @@ namespace pf {
 
 namespace {
 
-bool is_implicit(std::string_view integrator) {
-  const auto all = integrators();
-  return std::any_of(all.begin(), all.end(),
-                     [&](const IntegratorInfo& info) { return info.name == integrator && info.implicit; });
-}
-
 /// The longest side of the largest body [m].
 template <int D>
 double size_of(const Particles<D>& particles, double spacing) {
@@ -50,7 +44,7 @@ std::unique_ptr<StepControl> SimulationOf<D>::new_control() const {
   setup.dimension = D;
   for (std::size_t k = 0; k < laws_.size(); ++k)
     setup.wave_speed = std::max(setup.wave_speed, laws_[k]->wave_speed(scene_.materials[k].density));
-  setup.implicit = is_implicit(scene_.integrator.type);
+  setup.implicit = find_integrator(scene_.integrator.type)->implicit;
   // With the consistent mass an explicit step solves a system, and its limit is another one.
   setup.may_be_explicit = scene_.integrator.mass == "lumped";
   const auto n = static_cast<std::uint64_t>(particles_.size());
@@ -67,7 +61,7 @@ void SimulationOf<D>::make_control() {
   size_ = size_of(particles_, scene_.grid.spacing);
   explicit_.reset();
   if (scene_.time.control == "adaptive") {
-    if (!is_implicit(scene_.integrator.type)) integrator_ = make_integrator<D>("backward_euler");
+    if (!find_integrator(scene_.integrator.type)->implicit) integrator_ = make_integrator<D>("backward_euler");
     explicit_ = make_integrator<D>("symplectic_euler");
   }
   control_ = new_control();
@@ -76,6 +70,11 @@ void SimulationOf<D>::make_control() {
 template <int D>
 Integrator<D>& SimulationOf<D>::integrator_of(const StepChoice& choice) {
   return explicit_ && !choice.implicit ? *explicit_ : *integrator_;
+}
+
+template <int D>
+bool SimulationOf<D>::has_inertia(const StepChoice& choice) const {
+  return !choice.implicit || find_integrator(scene_.integrator.type)->inertia;
 }
 
 template <int D>
@@ -108,6 +107,7 @@ void SimulationOf<D>::tell_control(StepOutcome outcome, StepReport& report) {
   template std::unique_ptr<StepControl> SimulationOf<D>::new_control() const; \
   template void SimulationOf<D>::make_control();                              \
   template Integrator<D>& SimulationOf<D>::integrator_of(const StepChoice&);  \
+  template bool SimulationOf<D>::has_inertia(const StepChoice&) const;        \
   template StepChoice SimulationOf<D>::first_choice();                        \
   template void SimulationOf<D>::tell_control(StepOutcome, StepReport&);
 PF_INSTANTIATE(2)

@@ -53,6 +53,12 @@ SimulationOf<D>::SimulationOf(const Scene& scene, const SimulationOptions& optio
   make_control();
   build_plan_or_throw();
   const FeasibleSet<D> set = conditions_.at(plan_, 0, 0);  // refuses contradictions before the first step
+  if (!find_integrator(scene_.integrator.type)->inertia)
+    if (const std::string loose = free_rigid_motion(plan_, set); !loose.empty())
+      throw InputError("", {{"/integrator/type", "\"quasi_static\", but " + loose,
+                             "constraints or boundaries that hold "
+                             "every body against moving and turning, or an integrator with inertia",
+                             0}});
   accepted_.linear_iterations = 0;
   describe_state(accepted_);
   control_->report(accepted_.control);
@@ -88,8 +94,9 @@ template <int D>
 void SimulationOf<D>::make_settings() {
   laws_.clear();
   for (const Material& material : scene_.materials) laws_.push_back(law_of<D>(material));
-  transfer_ = make_transfer<D>(scene_.transfer.type, scene_.transfer.flip_ratio);
-  integrator_ = make_integrator<D>(scene_.integrator.type);
+  transfer_ = make_transfer<D>(scene_.transfer.type, scene_.transfer.flip_ratio, scene_.transfer.order);
+  integrator_ = make_integrator<D>(scene_.integrator.type, scene_.integrator.spectral_radius);
+  if (!integrator_->carries_acceleration()) particles_.a.clear();
   chosen_solver_.clear();
   solves_ = {};
   loads_.set_gravity(scene_.gravity);

@@ -12,6 +12,7 @@
 #include "core/step/conditions.hpp"
 #include "core/step/known_motion.hpp"
 #include "core/step/loads.hpp"
+#include "core/step/rigid_motion.hpp"
 #include "core/transfers/transfer.hpp"
 
 namespace pf {
@@ -49,10 +50,11 @@ class SimulationOf final : public Simulation {
  private:
   /// What an attempted step came to.
   struct Attempt {
-    enum Outcome { accepted, cancelled, failed, inexact } outcome = accepted;
-    std::string reason = {};  ///< of failure, for the user
+    enum Outcome { accepted, cancelled, failed, refused, inexact } outcome = accepted;
+    std::string reason = {};  ///< of failure, for the user; "refused": no smaller dt would help
     StepChoice instead = {};  ///< of a step that was too inexact
   };
+  class Stages;
   /// What "auto" has counted of solves, in iterations of block-Jacobi; 0: not yet.
   struct SolveCosts {
     std::string solver;  ///< of the last accepted step that solved something
@@ -81,6 +83,10 @@ class SimulationOf final : public Simulation {
   void build_plan_or_throw();
   Attempt attempt(const StepChoice& choice, const std::atomic<bool>* cancel, StepReport& report);
   void grid_velocity(StepReport& report);
+  void sharpen(const Vector& momentum, Vector& rate, StepReport& report);
+  void grid_acceleration(bool carried, StepReport& report);
+  void carry_acceleration();
+  bool has_inertia(const StepChoice& choice) const;
   void tell_of_blend(const MassMatrix<D>& M, StepReport& report);
   Attempt judge(const NewtonResult& newton, double dt, StepReport& report);
   void keep_grid(const FeasibleSet<D>& set);
@@ -114,7 +120,7 @@ class SimulationOf final : public Simulation {
   LastGrid last_grid_;
   // Of one step; kept for their memory alone.
   FeasibleSet<D> set_;
-  Vector force_, momentum_before_, momentum_after_;
+  Vector momentum_before_, momentum_after_;
   std::vector<RubbingNode<D>> rubbing_;  ///< of the last accepted step, by ascending index
   ElasticMemory elastic_memory_;         ///< tangents while a step is solved for, then what `moved_` points to
   Motion<D> moved_{};

@@ -10,7 +10,7 @@ namespace pf {
 
 namespace {
 
-constexpr std::uint64_t magic = 0x3430657461745350;  // "PState04"
+constexpr std::uint64_t magic = 0x3530657461745350;  // "PState05"
 
 template <class T>
 void put(std::ostream& out, const T& value) {
@@ -48,10 +48,10 @@ void read_values(std::istream& in, std::vector<T>& values, std::uint64_t count) 
     refuse("a state that ends too early");
 }
 template <class T>
-void get(std::istream& in, std::vector<T>& values, std::size_t expected) {
+void get(std::istream& in, std::vector<T>& values, std::size_t expected, bool optional = false) {
   std::uint64_t n = 0;
   get(in, n);
-  if (n != expected) refuse("a state of another size");
+  if (n != expected && !(optional && n == 0)) refuse("a state of another size");
   read_values(in, values, n);
 }
 /// Of a length that only the state knows.
@@ -121,7 +121,12 @@ void SimulationOf<D>::load_state(std::istream& in) {
   get(in, step);
   get(in, solver);
   get(in, solves);
-  loaded.each([&](auto& values) { get(in, values, particles_.size()); });
+  loaded.each([&](auto& values) {
+    // Only some time schemes carry an acceleration, and these not before their first step.
+    const bool optional = static_cast<void*>(&values) == &loaded.a;
+    get(in, values, particles_.size(), optional);
+  });
+  if (!integrator_->carries_acceleration()) loaded.a.clear();
   std::vector<RubbingNode<D>> rubbing;
   get(in, rubbing);
   std::vector<Vec<D>> displacement, surface, manufactured;

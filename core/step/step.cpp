@@ -71,6 +71,12 @@ const StepReport& SimulationOf<D>::step(const std::atomic<bool>* cancel) {
       returned_.status = StepStatus::cancelled;
       return returned_;
     }
+    if (attempt.outcome == Attempt::refused) {
+      control_->restore();
+      returned_.status = StepStatus::failed;
+      returned_.failure = attempt.reason;
+      return returned_;
+    }
     if (retry == most_retries) {
       control_->restore();
       returned_.status = StepStatus::failed;
@@ -92,16 +98,47 @@ template <int D>
 void SimulationOf<D>::grid_velocity(StepReport& report) {
   particles_to_grid(plan_, particles_, transfer_->affine(), parallel_, grid_);
   lumped_velocity(plan_, particles_, grid_);
-  if (scene_.transfer.velocity_mass == "consistent") {
-    const MassMatrix<D> M(plan_, particles_, grid_.mass, true, parallel_, work_);
-    tell_of_blend(M, report);
-    double residual = 0;
-    M.solve(grid_.momentum, grid_.v, residual);
-    if (residual > 1e-8)
-      report.warnings.push_back("The consistent velocity transfer left a relative residual of " + number(residual) +
-                                ".");
-  }
+  sharpen(grid_.momentum, grid_.v, report);
   work_.p2g += particles_.size();
+}
+
+template <int D>
+void SimulationOf<D>::sharpen(const Vector& momentum, Vector& rate, StepReport& report) {
+  const bool consistent =
+      scene_.transfer.velocity_mass == "consistent" && find_integrator(scene_.integrator.type)->inertia;
+  if (transfer_->order() < 2 && !consistent) return;
+  const MassMatrix<D> M(plan_, particles_, grid_.mass, true, parallel_, work_);
+  tell_of_blend(M, report);
+  if (!consistent) return sharpen_velocity(M, transfer_->order(), rate);
+  double residual = 0;
+  M.solve(momentum, rate, residual);
+  if (residual > 1e-8)
+    report.warnings.push_back("The consistent velocity transfer left a relative residual of " + number(residual) + ".");
+}
+
+template <int D>
+void SimulationOf<D>::grid_acceleration(bool carried, StepReport& report) {
+  grid_.a.resize(0);
+  grid_.a_end.resize(0);
+  if (!carried || particles_.a.empty()) return;
+  std::vector<Vec<D>> force(particles_.size());
+  for (std::size_t p = 0; p < force.size(); ++p) force[p] = particles_.mass[p] * particles_.a[p];
+  Vector sum = Vector::Zero(grid_.mass.size() * D);
+  scatter_field<D>(plan_, force, parallel_, sum);
+  grid_.a = sum;
+  const double rounding = 1e-14 * grid_.mass.maxCoeff();
+  for (Eigen::Index i = 0; i < grid_.mass.size(); ++i)
+    grid_.a.template segment<D>(i * D) *= grid_.mass[i] > rounding ? 1 / grid_.mass[i] : 0;
+  sharpen(sum, grid_.a, report);
+}
+
+template <int D>
+void SimulationOf<D>::carry_acceleration() {
+  if (grid_.a_end.size() == 0) return;
+  std::vector<Vec<D>> gained(particles_.size());
+  gather_field<D>(plan_, particles_.a.empty() ? grid_.a_end : Vector(grid_.a_end - grid_.a), parallel_, gained);
+  if (particles_.a.empty()) particles_.a.assign(particles_.size(), Vec<D>::Zero());
+  for (std::size_t p = 0; p < gained.size(); ++p) particles_.a[p] += gained[p];
 }
 
 template <int D>
@@ -113,24 +150,47 @@ void SimulationOf<D>::tell_of_blend(const MassMatrix<D>& M, StepReport& report) 
   told_of_blend_ = M.blend() > 0;
 }
 
+/// What the stages of one attempt ask for.
+template <int D>
+class SimulationOf<D>::Stages final : public StepConditions<D> {
+ public:
+  Stages(SimulationOf& simulation, double dt) : s_(simulation), dt_(dt) {}
+  void force(double fraction, Vector& f) override {
+    const double t = s_.time_ + fraction * dt_;
+    s_.loads_.force(s_.plan_, s_.particles_, s_.grid_.mass, t, s_.parallel_, f);
+    if (s_.known_.manufactured()) s_.known_.add_force(s_.plan_, s_.particles_, s_.laws_, s_.scene_, t, s_.parallel_, f);
+    if (f.allFinite()) return;
+    unfit = t;
+    f.setZero();
+  }
+  FeasibleSet<D> set_of_part(double fraction) override {
+    FeasibleSet<D> part = s_.conditions_.at(s_.plan_, s_.time_, fraction * dt_);
+    s_.guess_friction(part);
+    return part;
+  }
+  double unfit = NAN;  ///< when a force was not a finite number [s]
+
+ private:
+  SimulationOf& s_;
+  double dt_;
+};
+
 template <int D>
 typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& choice, const std::atomic<bool>* cancel,
                                                            StepReport& report) {
   Lap lap;
   const double dt = choice.dt, work_before = weigh(work_);
   Integrator<D>& integrator = integrator_of(choice);
-  const double stage = time_ + integrator.stage() * dt;
   grid_velocity(report);
+  grid_acceleration(integrator.carries_acceleration(), report);
   lap(report.ms.transfer);
   FeasibleSet<D>& set = set_;
   conditions_.at(plan_, time_, dt, set);
   guess_friction(set);
-  Vector& force = force_;
-  loads_.force(plan_, particles_, grid_.mass, stage, parallel_, force);
-  if (known_.manufactured()) known_.add_force(plan_, particles_, laws_, scene_, stage, parallel_, force);
-  if (!force.allFinite() || !grid_.v.allFinite())
-    return {Attempt::failed, "A load, a body force or a particle's velocity is not a finite number at t = " +
-                                 number(stage) + " s: look at the expressions of the scene."};
+  if (!has_inertia(choice))
+    if (const std::string loose = free_rigid_motion(plan_, set); !loose.empty()) return {Attempt::refused, loose};
+  Stages stages(*this, dt);
+  if (!grid_.v.allFinite()) stages.unfit = time_;
   const MassMatrix<D> M(plan_, particles_, grid_.mass, scene_.integrator.mass == "consistent", parallel_, work_);
   if (M.consistent()) tell_of_blend(M, report);
   ElasticEnergy<D> elastic(plan_, particles_, laws_, parallel_, work_, &elastic_memory_);
@@ -142,14 +202,18 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
   lap(report.ms.assemble);
   const NewtonSettings newton{scene_.solver.newton_tolerance, scene_.solver.max_newton};
   StepOutcome outcome{.choice = choice};
-  NewtonResult solved =
-      integrator.advance({plan_, M, elastic, spring ? &*spring : nullptr, set, force, dt, newton, *linear_, parallel_,
+  StepResult result =
+      integrator.advance({plan_, M, elastic, spring ? &*spring : nullptr, set, stages, dt, newton, *linear_, parallel_,
                           cancel, grid_, choice.kick, adaptive ? &outcome.error_rate : nullptr});
+  NewtonResult& solved = result.newton;
   const SolverWork solver_work = linear_->take_work();
   work_.solver_operations += solver_work.operations;
   work_.stencil_operations += solver_work.stencil_operations;
   lap(report.ms.linear_solve);
   if (solved.status == NewtonStatus::cancelled) return {Attempt::cancelled, ""};
+  if (!std::isnan(stages.unfit))
+    return {Attempt::failed, "A load, a body force or a particle's velocity is not a finite number at t = " +
+                                 number(stages.unfit) + " s: look at the expressions of the scene."};
   outcome.error_rate /= size_;
   outcome.newton = static_cast<int>(solved.iterations.size());
   outcome.work = weigh(work_) - work_before;
@@ -162,9 +226,12 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
   M.multiply(grid_.v_end, after);
   const Vec3 L_before = grid_angular_momentum(plan_, grid_.u, 0, before);
   const Vec3 L_after = grid_angular_momentum(plan_, grid_.u, 1, after);
-  // The step's forces are M (v_end - v) / dt and act at the scheme's stage, where the inner ones have no torque.
+  // Where forces act the inner ones have no torque.
   after -= before;
-  report.angular.outside = grid_angular_momentum(plan_, grid_.u, integrator.stage(), after);
+  if (result.impulses.empty())
+    report.angular.outside = grid_angular_momentum(plan_, grid_.u, integrator.force_place(), after);
+  for (const StageImpulse& stage : result.impulses)
+    report.angular.outside += grid_angular_momentum(plan_, stage.u, 1, stage.impulse);
   report.angular.time_integration = L_after - L_before - report.angular.outside;
   report.grab_force = spring ? spring->force(grid_.u).norm() : 0;
   lap(report.ms.diagnostics);
@@ -187,11 +254,15 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
   report.active_nodes = plan_.node_count();
   keep_grid(set);
   keep_friction(set);
+  carry_acceleration();
   plan_.build(particles_, moved_, *find_basis(scene_.grid.basis), scene_.grid.spacing, parallel_);
   lap(report.ms.sort);
   fill_diagnostics(report);
   report.angular.transfer =
       (L_before - accepted_.balance.angular_momentum) + (report.balance.angular_momentum - L_after);
+  // Velocities that are only reported have no momentum that transfers or the time scheme could lose.
+  if (!has_inertia(choice))
+    report.angular = {.outside = report.balance.angular_momentum - accepted_.balance.angular_momentum};
   report.work = work_;
   tell_control(outcome, report);
   lap(report.ms.diagnostics);
@@ -265,6 +336,7 @@ template <int D>
 void SimulationOf<D>::fill_diagnostics(StepReport& report) const {
   report.time = time_;
   report.balance = particle_balance<D>(particles_, laws_, plan_, transfer_->affine(), loads_.gravity(), parallel_);
+  if (!find_integrator(scene_.integrator.type)->inertia) report.balance.kinetic = 0;
   if (report.step == 0) report.active_nodes = plan_.node_count();
   if (known_.known()) report.error = known_.errors(particles_, time_, parallel_);
 }

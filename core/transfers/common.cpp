@@ -119,6 +119,44 @@ void lumped_velocity(const Plan<D>& plan, const Particles<D>& particles, GridSta
 }
 
 template <int D>
+void sharpen_velocity(const MassMatrix<D>& M, int order, Vector& v) {
+  const Vector& m = M.lumped();
+  const double rounding = 1e-14 * m.maxCoeff();
+  Vector term = v, product;
+  for (int k = 1; k < order; ++k) {
+    M.multiply(term, product);
+    for (Eigen::Index i = 0; i < m.size(); ++i) {
+      auto left = term.segment<D>(i * D);
+      if (m[i] > rounding)
+        left -= product.segment<D>(i * D) / m[i];
+      else
+        left.setZero();
+    }
+    v += term;
+  }
+}
+
+template <int D>
+void gather_field(const Plan<D>& plan, const Vector& field, Parallel& parallel, std::vector<Vec<D>>& values) {
+  with_nodes_per_axis(plan, [&](auto k) {
+    constexpr int K = k;
+    using S = Stencil<D, K, D>;
+    for_each_block(plan, parallel, [&](const Block<D>& block, int) {
+      double local[S::nodes * D];
+      load_block<D, K, D>(plan, block, field.data(), local);
+      for (int i = block.batch_begin; i < block.batch_end; ++i) {
+        const Batch& batch = plan.batches()[at(i)];
+        Wide<lane_count<D>> w[2 * D * K], value[D];
+        plan.weights(i, w);
+        S::template gather<true, false>(local + batch.node * D, w, w, value, nullptr);
+        for (int lane = 0; lane < batch.count; ++lane)
+          for (int a = 0; a < D; ++a) values[at(batch.first + lane)][a] = value[a][lane];
+      }
+    });
+  });
+}
+
+template <int D>
 void scatter_field(const Plan<D>& plan, const std::vector<Vec<D>>& values, Parallel& parallel, Vector& field) {
   with_nodes_per_axis(plan, [&](auto k) {
     constexpr int K = k;
@@ -189,6 +227,8 @@ Vec<D> affine_inertia(const BasisInfo& basis, double spacing, const Vec<D>& x) {
 #define PF_INSTANTIATE(D)                                                                                           \
   template void particles_to_grid<D>(const Plan<D>&, const Particles<D>&, bool, Parallel&, GridState<D>&);          \
   template void lumped_velocity<D>(const Plan<D>&, const Particles<D>&, GridState<D>&);                             \
+  template void sharpen_velocity<D>(const MassMatrix<D>&, int, Vector&);                                            \
+  template void gather_field<D>(const Plan<D>&, const Vector&, Parallel&, std::vector<Vec<D>>&);                    \
   template void scatter_field<D>(const Plan<D>&, const std::vector<Vec<D>>&, Parallel&, Vector&);                   \
   template void move_particles<D>(const Plan<D>&, const Vector&, const Particles<D>&, Parallel&, const Motion<D>&); \
   template Vec<D> affine_inertia<D>(const BasisInfo&, double, const Vec<D>&);

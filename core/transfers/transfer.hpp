@@ -19,6 +19,8 @@ struct GridState {
   Vector v;         ///< v_i^n [m/s]
   Vector u;         ///< x^_i - x_i [m]
   Vector v_end;     ///< v_i^{n+1} [m/s]
+  // Of time schemes that carry an acceleration; empty where there is none (yet).
+  Vector a, a_end;  ///< a_i^n, a_i^{n+1} [m/s^2]
   Vector sums;      ///< momentum and mass as they are gathered, D + 1 a node
 };
 
@@ -28,6 +30,8 @@ class Transfer {
   virtual ~Transfer() = default;
   /// True: particles carry an affine velocity C, which takes part in P2G and in the balances.
   virtual bool affine() const = 0;
+  /// Terms of the series for M^-1 by which momenta become node velocities (sharpen_velocity); 1: the lumped mass alone.
+  virtual int order() const { return 1; }
   /// The particles' velocities (and C) after the step; runs before positions move.
   virtual void grid_to_particles(const Plan<D>& plan, const GridState<D>& grid, const Particles<D>& particles,
                                  Parallel& parallel, const Motion<D>& to) const = 0;
@@ -40,6 +44,14 @@ void particles_to_grid(const Plan<D>& plan, const Particles<D>& particles, bool 
 /// v_i = momentum / m_i; where m_i is nothing but rounding, the mean of the particles that the node's gradient sees.
 template <int D>
 void lumped_velocity(const Plan<D>& plan, const Particles<D>& particles, GridState<D>& grid);
+/// FMPM(k) (Nairn and Hammerquist 2021): v becomes sum_{j<k} (I - m^-1 M)^j v, where v = m^-1 P is the lumped velocity
+/// and M the consistent mass. m^-1 M averages, its eigenvalues lie in [0, 1]: a step loses (1 - s)^k of a mode instead
+/// of 1 - s; the limit is the consistent velocity transfer. Nodes whose mass is rounding keep the velocity they have.
+template <int D>
+void sharpen_velocity(const MassMatrix<D>& M, int order, Vector& v);
+/// values_p = sum_j N_j(x_p) field_j.
+template <int D>
+void gather_field(const Plan<D>& plan, const Vector& field, Parallel& parallel, std::vector<Vec<D>>& values);
 /// x_p += sum_j u_j N_j, F_p = (I + sum_j u_j (x) grad N_j) F_p (THEORY T5).
 template <int D>
 void move_particles(const Plan<D>& plan, const Vector& u, const Particles<D>& particles, Parallel& parallel,
@@ -55,8 +67,8 @@ struct TransferInfo {
   std::string_view name, label, about;
 };
 std::span<const TransferInfo> transfers();
-/// Throws std::invalid_argument for an unknown name.
+/// `order`: of FMPM. Throws std::invalid_argument for an unknown name.
 template <int D>
-std::unique_ptr<Transfer<D>> make_transfer(std::string_view name, double flip_ratio);
+std::unique_ptr<Transfer<D>> make_transfer(std::string_view name, double flip_ratio, int order = 2);
 
 }  // namespace pf

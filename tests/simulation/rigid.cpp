@@ -26,6 +26,7 @@ TEST_CASE("a free body in uniform motion moves exactly and stays unstrained, als
       for (const TransferInfo& transfer : transfers())
         for (const IntegratorInfo& integrator : integrators())
           for (const Vec3& v : {Vec3(2.5, -5, 7.5), Vec3(-2.5, 1.25, 0), Vec3(0.37, -0.11, 3)}) {
+            if (!integrator.inertia) continue;  // refuses a free body
             CAPTURE(dimension);
             CAPTURE(basis.name);
             CAPTURE(transfer.name);
@@ -68,7 +69,8 @@ TEST_CASE("linear momentum is kept with every choice of mass matrix") {
   for (const TransferInfo& transfer : transfers())
     for (const char* inertia : {"lumped", "consistent"})
       for (const char* velocity : {"lumped", "consistent"}) {
-        if (transfer.name == "apic" && std::string_view(velocity) == "consistent") continue;  // refused
+        const bool refuses = transfer.name == "apic" || transfer.name == "fmpm";
+        if (refuses && std::string_view(velocity) == "consistent") continue;
         CAPTURE(transfer.name);
         CAPTURE(inertia);
         CAPTURE(velocity);
@@ -136,9 +138,22 @@ TEST_CASE("backward Euler changes a free body's angular momentum by dt sum m v(n
   }
 }
 
+namespace {
+
+/// When a scheme's loads act in the mean, as a part of the step.
+double mean_stage(std::string_view integrator) {
+  if (integrator == "backward_euler") return 1;
+  if (integrator == "symplectic_euler") return 0;
+  if (integrator == "generalized_alpha") return 1 / 1.8;  // spectral radius 0.8
+  return 0.5;
+}
+
+}  // namespace
+
 TEST_CASE("the torque of gravity is no fault of the time scheme") {
   for (const IntegratorInfo& integrator : integrators())
     for (const char* inertia : {"lumped", "consistent"}) {
+      if (!integrator.inertia) continue;
       CAPTURE(integrator.name);
       CAPTURE(inertia);
       test::Json scene = flying(2, "quadratic", "apic", {"1 - 2*(Y - 0.2)", "2*(X - 0.2)"});
@@ -152,11 +167,12 @@ TEST_CASE("the torque of gravity is no fault of the time scheme") {
       test::run(*simulation, 1);
       for (const ParticleState& p : simulation->particles()) after += p.mass * p.x[0];
       REQUIRE(std::abs(after - before) > 1e-3 * mass);
-      // The loads act where the scheme takes them: at the step's end or its beginning.
+      // The loads act where the scheme takes them, some at more than one time: on the mean there.
       const AngularLedger& by = simulation->report().angular;
-      const double dt = simulation->report().dt;
-      CHECK(by.outside[2] == doctest::Approx(-10 * dt * (integrator.implicit ? after : before)).epsilon(1e-7));
-      if (!integrator.implicit) CHECK(std::abs(by.time_integration[2]) < 1e-9 * std::abs(by.outside[2]));
+      const double dt = simulation->report().dt, at = before + mean_stage(integrator.name) * (after - before);
+      CHECK(by.outside[2] == doctest::Approx(-10 * dt * at).epsilon(1e-7));
+      if (!integrator.implicit || integrator.name == "implicit_midpoint")
+        CHECK(std::abs(by.time_integration[2]) < 1e-9 * std::abs(by.outside[2]));
     }
 }
 

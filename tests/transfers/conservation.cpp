@@ -54,6 +54,8 @@ struct RoundTrip {
       for (Mat<D>& C : grid.particles.C) C.setZero();
     particles_to_grid(grid.plan, grid.particles, transfer->affine(), grid.parallel, grid.state);
     lumped_velocity(grid.plan, grid.particles, grid.state);
+    const MassMatrix<D> M(grid.plan, grid.particles, grid.state.mass, true, grid.parallel, grid.work);
+    sharpen_velocity(M, transfer->order(), grid.state.v);
     grid.state.v_end = grid.state.v;
     before = balance();
     start = grid.particles;

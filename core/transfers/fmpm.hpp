@@ -1,0 +1,24 @@
+// FMPM(k) (Nairn and Hammerquist 2021): PIC from grid velocities that k terms of the series for M^-1 have sharpened
+// (sharpen_velocity). 1 is PIC; infinity the consistent velocity transfer.
+#pragma once
+
+#include "core/transfers/flip.hpp"
+
+namespace pf {
+
+template <int D>
+class FmpmTransfer final : public Transfer<D> {
+ public:
+  explicit FmpmTransfer(int order) : order_(order) {}
+  bool affine() const override { return false; }
+  int order() const override { return order_; }
+  void grid_to_particles(const Plan<D>& plan, const GridState<D>& grid, const Particles<D>& particles,
+                         Parallel& parallel, const Motion<D>& to) const override {
+    FlipTransfer<D>(0).grid_to_particles(plan, grid, particles, parallel, to);
+  }
+
+ private:
+  int order_;
+};
+
+}  // namespace pf
