@@ -47,7 +47,7 @@ orders() {
   for mass in lumped consistent; do
     for basis in linear quadratic cubic; do
       sed -e "s/\"basis\": \"quadratic\"/\"basis\": \"$basis\"/" -e "s/\"mass\": \"consistent\"/\"mass\": \"$mass\"/" \
-        assets/studies/integrator-orders.json > "$work/orders-$mass-$basis.json"
+        assets/tables/integrator-orders.json > "$work/orders-$mass-$basis.json"
       sed -e 's/"\/integrator\/type": \[.*\]/"\/integrator\/type": ["symplectic_euler"]/' \
         -e 's/"\/time\/step": \[.*\]/"\/time\/step": [0.0008, 0.0004, 0.0002, 0.0001]/' \
         "$work/orders-$mass-$basis.json" > "$work/explicit-$mass-$basis.json"
@@ -79,32 +79,32 @@ orders() {
 }
 
 energy() {
-  study assets/studies/integrator-energy.json integrator-energy
-  rows "$work/integrator-energy/results.csv" integrator /grid/basis transfer energy_change | awk -F'\t' '
+  study assets/tables/integrator-energy.json integrator-energy
+  rows "$work/integrator-energy/results.csv" integrator /grid/basis transfer energy_change status | awk -F'\t' '
     !($1 in seen) { seen[$1] = 1; name[++names] = $1 }
     !($3 in had) { had[$3] = 1; transfer[++transfers] = $3 }
-    { left[$1, $2, $3] = 1 + $4 }
+    { left[$1, $2, $3] = $5 == "ok" ? sprintf("%.4f", 1 + $4) : $5 }
     END {
       printf "| integrator | basis |"; for (t = 1; t <= transfers; ++t) printf " %s |", transfer[t]; print ""
       printf "|---|---|"; for (t = 1; t <= transfers; ++t) printf "---|"; print ""
       split("linear quadratic cubic", basis, " ")
       for (n = 1; n <= names; ++n) for (b = 1; b <= 3; ++b) {
         printf "| %s | %s |", name[n], basis[b]
-        for (t = 1; t <= transfers; ++t) printf " %.4f |", left[name[n], basis[b], transfer[t]]
+        for (t = 1; t <= transfers; ++t) printf " %s |", left[name[n], basis[b], transfer[t]]
         print ""
       }
     }' | replace integrators.md energy
 }
 
 long() {
-  study assets/studies/integrator-long.json integrator-long
+  study assets/tables/integrator-long.json integrator-long
   rows "$work/integrator-long/results.csv" integrator energy_change energy_gained | awk -F'\t' '
     BEGIN { print "| integrator | E/E0 after 100 periods | most above E0 on the way |\n|---|---|---|" }
     { printf "| %s | %.6f | %.1e |\n", $1, 1 + $2, $3 }' | replace integrators.md long
 }
 
 cost() {
-  study assets/studies/integrator-cost.json integrator-cost
+  study assets/tables/integrator-cost.json integrator-cost
   rows "$work/integrator-cost/results.csv" /integrator/type wall_min_s work newton_iterations linear_iterations steps | awk -F'\t' '
     BEGIN { print "| integrator | wall time | counted work | Newton iterations a step | CG iterations a step |\n|---|---|---|---|---|" }
     NR == 1 { wall = $2 / $6; work = $3 / $6 }
@@ -112,7 +112,7 @@ cost() {
 }
 
 transfers() {
-  for name in energy noise spin; do study "assets/studies/transfer-$name.json" "transfer-$name"; done
+  for name in energy noise spin; do study "assets/tables/transfer-$name.json" "transfer-$name"; done
   {
     rows "$work/transfer-spin/results.csv" transfer /grid/basis /time/end angular_drift | sed 's/^/spin\t/'
     rows "$work/transfer-noise/results.csv" transfer /grid/basis steps energy_change | sed 's/^/noise\t/'

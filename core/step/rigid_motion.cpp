@@ -95,8 +95,9 @@ std::string free_rigid_motion(const Plan<D>& plan, const FeasibleSet<D>& set) {
   for (const auto& [first, p] : parts) {
     const Eigen::SelfAdjointEigenSolver<Square<D>> solver(p.held);
     if (solver.eigenvalues()[0] > 1e-9 * std::max(1.0, solver.eigenvalues()[N - 1])) continue;
-    const Modes<D> mode = solver.eigenvectors().col(0);
-    const bool turns = mode.template head<D>().norm() < 0.5;
+    const Mat<D> shifts = p.held.template topLeftCorner<D, D>();
+    const Eigen::SelfAdjointEigenSolver<Mat<D>> shifting(shifts);
+    const bool turns = shifting.eigenvalues()[0] > 1e-9 * std::max(1.0, shifting.eigenvalues()[D - 1]);
     char text[200];
     std::snprintf(text, sizeof text,
                   "what lies about (%.3g, %.3g%s) is free to %s: without inertia nothing decides where", p.centre[0],

@@ -94,7 +94,10 @@ template <int D>
 void SimulationOf<D>::make_settings() {
   laws_.clear();
   for (const Material& material : scene_.materials) laws_.push_back(law_of<D>(material));
-  transfer_ = make_transfer<D>(scene_.transfer.type, scene_.transfer.flip_ratio, scene_.transfer.order);
+  // A velocity that is only reported is the way over dt, whatever the transfer.
+  const bool inertia = find_integrator(scene_.integrator.type)->inertia;
+  transfer_ =
+      make_transfer<D>(inertia ? scene_.transfer.type : "pic", scene_.transfer.flip_ratio, scene_.transfer.order);
   integrator_ = make_integrator<D>(scene_.integrator.type, scene_.integrator.spectral_radius);
   if (!integrator_->carries_acceleration()) particles_.a.clear();
   chosen_solver_.clear();

@@ -196,9 +196,6 @@ TEST_CASE("every choice is accepted, and any other name refused with the choices
 TEST_CASE("what is not built yet is refused like an unknown value") {
   const std::pair<const char*, Json> absent[] = {{"/grid/basis", "gimp"},
                                                  {"/grid/boundary_correction", true},
-                                                 {"/integrator/type", "quasi_static"},
-                                                 {"/transfer/type", "fmpm"},
-                                                 {"/transfer/order", 2},
                                                  {"/bodies/0/shape/type", "image"},
                                                  {"/bodies/0/shape/type", "mesh"}};
   for (const auto& [pointer, value] : absent) {

@@ -50,19 +50,19 @@ TEST_CASE("a small pull stretches a bar by load over modulus, and nothing moves 
 }
 
 TEST_CASE("a pull that is taken back leaves the bar as it was, and v is the way over dt") {
-  test::Json scene = pulled_bar(2e4, 0.1);
-  scene["loads"][0]["traction"][0] = "2e4*sin(pi*t)";
+  test::Json scene = pulled_bar(2e3, 0.1);
+  scene["loads"][0]["traction"][0] = "2e3*sin(pi*t)";
   const auto simulation = test::start(scene);
   test::run(*simulation, 5);
   double longest = 0;
   for (const ParticleState& p : simulation->particles()) longest = std::max(longest, p.x[0]);
-  CHECK(longest > 1.1);
+  CHECK(longest > 0.97 + 0.015);
   const std::vector<ParticleState> before = simulation->particles();
   test::run(*simulation, 1);
   const std::vector<ParticleState> after = simulation->particles();
   for (std::size_t p = 0; p < before.size(); ++p) CHECK((after[p].v - (after[p].x - before[p].x) / 0.1).norm() < 1e-10);
   test::run(*simulation, 4);
-  for (const ParticleState& p : simulation->particles()) CHECK((p.x - p.X).norm() < 2e-3);
+  for (const ParticleState& p : simulation->particles()) CHECK((p.x - p.X).norm() < 2e-4);
 }
 
 TEST_CASE("an increment that is too large is bisected") {
