@@ -266,7 +266,7 @@ TEST_CASE("what is extrapolated inside out is tried again with a smaller step") 
     test::Json scene = test::block();
     scene["integrator"] = {{"type", integrator}};
     scene["time"]["step"] = 0.05;
-    scene["bodies"][0]["velocity"] = {"-250*(X - 0.3)", "0"};
+    scene["bodies"][0]["velocity"] = {"-800*(X - 0.3)", "0"};
     scene["materials"]["rubber"]["young"] = 1e6;
     const auto simulation = test::start(scene);
     int retries = 0;
