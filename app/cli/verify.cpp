@@ -35,8 +35,8 @@ std::vector<fs::path> shipped_cases() {
     for (const auto& entry : fs::directory_iterator(root / "verification", ignored))
       if (entry.path().extension() == ".json") files.push_back(entry.path());
   std::ranges::sort(files, {}, [](const fs::path& file) { return file.stem(); });
-  const auto repeated = std::ranges::unique(files, {}, [](const fs::path& file) { return file.stem(); });
-  files.erase(repeated.begin(), repeated.end());
+  const auto same_name = [](const fs::path& a, const fs::path& b) { return a.stem() == b.stem(); };
+  files.erase(std::unique(files.begin(), files.end(), same_name), files.end());
   return files;
 }
 

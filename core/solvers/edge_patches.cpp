@@ -124,7 +124,7 @@ void EdgePatches<D>::find_light(const StencilMatrix<D>& A, Parallel& parallel) {
       if (!(own > 0)) continue;
       for (int l = 0; l < layout.lines(); ++l)
         for (int k = 0; windows[l] >= 0 && k < 2 * R + 1; ++k) {
-          const float their = traces_[static_cast<std::size_t>(windows[l] + k)];
+          const float their = traces_[static_cast<std::size_t>(windows[l]) + static_cast<std::size_t>(k)];
           if (own < light * their) mark(row);
           if (their > 0 && their < light * own) mark(layout.row_at(windows[l] + k));
         }
@@ -151,7 +151,7 @@ void EdgePatches<D>::choose(const StencilMatrix<D>& A) {
     const LatticePoint<D>& at = points_[static_cast<std::size_t>(i)];
     copy_full_row<D, R>(A, i, at, entries.data(), windows.data());
     Patch patch;
-    patch.begin = static_cast<std::int32_t>(members_.size());
+    patch.begin = members_.size();
     // Whole planes of the slowest axis; what a patch touches ends half a slab from it.
     patch.slab = static_cast<std::int32_t>(std::floor(static_cast<double>(at[D - 1]) / (4 * R)));
     for_blocks<D, R>(entries.data(), windows.data(), [&](std::int32_t slot, const float* block) {
@@ -168,7 +168,7 @@ void EdgePatches<D>::choose(const StencilMatrix<D>& A) {
       }
       members_.push_back(place);
     });
-    patch.end = static_cast<std::int32_t>(members_.size());
+    patch.end = members_.size();
     patches_.push_back(patch);
   }
   std::ranges::stable_sort(patches_, {}, &Patch::slab);
@@ -179,7 +179,7 @@ void EdgePatches<D>::choose(const StencilMatrix<D>& A) {
     const std::int32_t slab = patches_[k].slab - patches_.front().slab;
     while (slab_begin_.size() <= static_cast<std::size_t>(slab)) slab_begin_.push_back(k);
     patches_[k].inverse = room;
-    const auto n = static_cast<std::size_t>(patches_[k].nodes() * D);
+    const auto n = static_cast<std::size_t>(patches_[k].nodes()) * D;
     room += n * n;
   }
   slab_begin_.push_back(patches_.size());
@@ -208,16 +208,16 @@ void EdgePatches<D>::invert(const Patch& patch) {
   const int n = patch.nodes();
   Matrix dense = Matrix::Zero(n * D, n * D);
   for (int p = 0; p < n; ++p) {
-    const std::int32_t place = members_[static_cast<std::size_t>(patch.begin + p)];
-    for_blocks<D, R>(
-        rows_.data() + static_cast<Index>(place) * full_size<D, R>,
-        windows_.data() + static_cast<Index>(place) * full_lines<D, R>, [&](std::int32_t slot, const float* block) {
-          for (int q = 0; q < n; ++q) {
-            if (slot_[static_cast<std::size_t>(members_[static_cast<std::size_t>(patch.begin + q)])] != slot) continue;
-            for (int a = 0; a < D; ++a)
-              for (int c = 0; c < D; ++c) dense(p * D + a, q * D + c) = block[a * window_width<D, R> + c];
-          }
-        });
+    const std::int32_t place = place_of(patch, p);
+    for_blocks<D, R>(rows_.data() + static_cast<Index>(place) * full_size<D, R>,
+                     windows_.data() + static_cast<Index>(place) * full_lines<D, R>,
+                     [&](std::int32_t slot, const float* block) {
+                       for (int q = 0; q < n; ++q) {
+                         if (slot_of(patch, q) != slot) continue;
+                         for (int a = 0; a < D; ++a)
+                           for (int c = 0; c < D; ++c) dense(p * D + a, q * D + c) = block[a * window_width<D, R> + c];
+                       }
+                     });
     // Directions that are held have no stiffness: they stay.
     auto own = dense.template block<D, D>(p * D, p * D);
     const Mat<D> wide = own.template cast<double>();
@@ -241,7 +241,7 @@ template <int D>
 void EdgePatches<D>::count(int row_entries) {
   sweep_operations_ = build_operations_ = 0;
   for (const Patch& patch : patches_) {
-    const auto n = static_cast<std::uint64_t>(patch.nodes() * D);
+    const auto n = static_cast<std::uint64_t>(patch.nodes()) * D;
     sweep_operations_ += 2 * (n / D * static_cast<std::uint64_t>(row_entries) + n * n);
     build_operations_ += n * n * n / 2;
   }
@@ -273,7 +273,7 @@ template <class Body>
 void EdgePatches<D>::for_patches(Parallel& parallel, int parity, bool forward, Body&& body) const {
   const int slabs = static_cast<int>(slab_begin_.size()) - 1;
   parallel((slabs + 1 - parity) / 2, [&](int piece) {
-    const auto slab = static_cast<std::size_t>(2 * piece + parity);
+    const auto slab = 2 * static_cast<std::size_t>(piece) + static_cast<std::size_t>(parity);
     const std::size_t begin = slab_begin_[slab], end = slab_begin_[slab + 1];
     for (std::size_t k = 0; k < end - begin; ++k) body(patches_[forward ? begin + k : end - 1 - k]);
   });
@@ -299,7 +299,7 @@ void EdgePatches<D>::relax(const Patch& patch, Floats& x, Floats& rest) const {
     for (int a = 0; a < D; ++a) force[p * D + a] = -rest[static_cast<std::size_t>(vector_place(patch, p) + a)];
   solve<R>(patch, force, x, way);
   for (int p = 0; p < patch.nodes(); ++p) {
-    const auto place = static_cast<Index>(members_[static_cast<std::size_t>(patch.begin + p)]);
+    const auto place = static_cast<Index>(place_of(patch, p));
     WindowRow<D, R>::push(rows_.data() + place * full_size<D, R>, windows_.data() + place * full_lines<D, R>,
                           full_lines<D, R>, 0, all_slots, way + p * D, rest.data());
   }
@@ -310,7 +310,7 @@ template <int R>
 void EdgePatches<D>::relax_back(const Patch& patch, const Floats& b, Floats& x) const {
   float force[most_unknowns<D, R>], way[most_unknowns<D, R>];
   for (int p = 0; p < patch.nodes(); ++p) {
-    const auto place = static_cast<Index>(members_[static_cast<std::size_t>(patch.begin + p)]);
+    const auto place = static_cast<Index>(place_of(patch, p));
     float known[D] = {};
     WindowRow<D, R>::gather(rows_.data() + place * full_size<D, R>, windows_.data() + place * full_lines<D, R>,
                             full_lines<D, R>, 0, all_slots, x.data(), known);

@@ -37,10 +37,10 @@ class EdgePatches {
 
  private:
   struct Patch {
-    std::int32_t begin = 0, end = 0;  ///< its nodes: places in members_
-    std::size_t inverse = 0;          ///< of its matrix: place in inverses_, column-major
+    std::size_t begin = 0, end = 0;  ///< its nodes: places in members_
+    std::size_t inverse = 0;         ///< of its matrix: place in inverses_, column-major
     std::int32_t slab = 0;
-    int nodes() const { return end - begin; }
+    int nodes() const { return static_cast<int>(end - begin); }
   };
 
   template <int R>
@@ -52,10 +52,12 @@ class EdgePatches {
   template <int R>
   void invert(const Patch& patch);
   void count(int row_entries);
-  /// Where a vector holds the values of a patch's p-th node.
+  /// A patch's p-th node: which copied row it is, and its slot.
+  std::int32_t place_of(const Patch& patch, int p) const { return members_[patch.begin + static_cast<std::size_t>(p)]; }
+  std::int32_t slot_of(const Patch& patch, int p) const { return slot_[static_cast<std::size_t>(place_of(patch, p))]; }
+  /// Where a vector holds its values.
   std::ptrdiff_t vector_place(const Patch& patch, int p) const {
-    const std::int32_t place = members_[static_cast<std::size_t>(patch.begin + p)];
-    return static_cast<std::ptrdiff_t>(slot_[static_cast<std::size_t>(place)]) * D;
+    return static_cast<std::ptrdiff_t>(slot_of(patch, p)) * D;
   }
   /// way = inverse force, and x by as much.
   template <int R>
