@@ -15,8 +15,8 @@ void ElasticEnergy<D>::deform(const double* local, Chunk& chunk) const {
     using S = Stencil<D, K, D>;
     for (int i = chunk.batch_begin; i < chunk.batch_end; ++i) {
       const Batch& batch = plan_.batches()[index(i)];
-      Wide<W> w[2 * D * K];
-      plan_.weights(i, w);
+      Wide<W> room[2 * D * K];
+      const Wide<W>* const w = plan_.weights(i, room);
       Wide<W> gradient[D][D];
       S::template gather<false, true>(local + batch.node * D, w, w + D * K, nullptr, gradient);
       Wide<W> F_hat[D * D], F_n[D * D], F[D * D];
@@ -113,8 +113,8 @@ void ElasticEnergy<D>::add_force_at_rest(Vector& g) {
         chunk_stress(block, particles_.F.data() + chunk.begin, chunk);
         for (int i = chunk.batch_begin; i < chunk.batch_end; ++i) {
           const Batch& batch = plan_.batches()[index(i)];
-          Wide<W> w[2 * D * K];
-          plan_.weights(i, w);
+          Wide<W> room[2 * D * K];
+          const Wide<W>* const w = plan_.weights(i, room);
           Wide<W> flux[D][D];
           batch_flux(batch, chunk.P + (batch.first - chunk.begin), flux);
           S::template scatter<false, true>(nullptr, flux, w, w + D * K, local + batch.node * D);
@@ -184,8 +184,8 @@ double ElasticEnergy<D>::gradient(const Vector& u, Vector& g, Vector& magnitude)
         energy += chunk_energy(chunk);
         for (int i = chunk.batch_begin; i < chunk.batch_end; ++i) {
           const Batch& batch = plan_.batches()[index(i)];
-          Wide<W> w[2 * D * K];
-          plan_.weights(i, w);
+          Wide<W> room[2 * D * K];
+          const Wide<W>* const w = plan_.weights(i, room);
           Wide<W> flux[D][D];
           batch_flux(batch, chunk.P + (batch.first - chunk.begin), flux);
           S::template scatter<false, true>(nullptr, flux, w, w + D * K, local + batch.node * D);
@@ -238,8 +238,8 @@ void ElasticEnergy<D>::hessian_product(const Vector& p, Vector& Hp) {
       load_block<D, K, D>(plan_, block, p.data(), local);
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
         const Batch& batch = plan_.batches()[index(i)];
-        Wide<W> w[2 * D * K];
-        plan_.weights(i, w);
+        Wide<W> room[2 * D * K];
+        const Wide<W>* const w = plan_.weights(i, room);
         const Narrow<W>* const A = tangent_ + index(i) * components;
         // The tangents are most of what comes from memory.
         constexpr int ahead = 2 * components * sizeof(Narrow<W>), line = 64;

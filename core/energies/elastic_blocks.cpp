@@ -76,8 +76,8 @@ void ElasticEnergy<D>::diagonal(std::vector<Mat<D>>& blocks) {
     for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int) {
       double local[S::nodes * symmetric] = {};
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
-        Wide<W> w[2 * D * K];
-        plan_.weights(i, w);
+        Wide<W> room[2 * D * K];
+        const Wide<W>* const w = plan_.weights(i, room);
         scatter_diagonal<D, K>(tangent_ + index(i) * components, w, local + plan_.batches()[index(i)].node * symmetric);
       }
       const std::int32_t* table = plan_.node_table(block);
@@ -106,8 +106,8 @@ void ElasticEnergy<D>::assemble(BlockMatrix<D>& H) {
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
         const Batch& batch = plan_.batches()[index(i)];
         const Narrow<W>* A = tangent_ + index(i) * components;
-        Wide<W> w[2 * D * K], grad[count][D];
-        plan_.weights(i, w);
+        Wide<W> room[2 * D * K], grad[count][D];
+        const Wide<W>* const w = plan_.weights(i, room);
         for (int n = 0; n < count; ++n) node_gradient<D, K>(w, n, grad[n]);
         for (int n = 0; n < count; ++n) {
           Wide<W> T[D][D][D];

@@ -23,8 +23,8 @@ class CellBlocks {
 
   void compute(const Plan<D>& plan, int batch, const Narrow<lane_count<D>>* tangent) {
     count_ = plan.batches()[static_cast<std::size_t>(batch)].count;
-    Wide<lane_count<D>> w[2 * D * K];
-    plan.weights(batch, w);
+    Wide<lane_count<D>> room[2 * D * K];
+    const Wide<lane_count<D>>* const w = plan.weights(batch, room);
     for (int lane = 0; lane < count_; ++lane) set_particle(w, tangent, lane);
   }
 

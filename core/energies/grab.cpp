@@ -23,8 +23,8 @@ GrabSpring<D>::GrabSpring(const Plan<D>& plan, const Particles<D>& particles, co
         const auto found = weight.find(particles.id[p]);
         if (found == weight.end()) continue;
         start_ += found->second * particles.x[p];
-        Wide<lane_count<D>> w[2 * D * max_nodes_per_axis];
-        plan.weights(i, w);
+        Wide<lane_count<D>> room[2 * D * max_nodes_per_axis];
+        const Wide<lane_count<D>>* const w = plan.weights(i, room);
         for (int n = 0; n < (D == 2 ? K * K : K * K * K); ++n) {
           double N = w[n % K][lane] * w[K + n / K % K][lane];
           if constexpr (D == 3) N *= w[2 * K + n / (K * K)][lane];

@@ -50,8 +50,8 @@ void MassMatrix<D>::compute_diagonal() {
       double local[S::nodes] = {};
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
         const Batch& batch = plan_.batches()[at(i)];
-        Wide<lane_count<D>> w[2 * D * K];
-        plan_.weights(i, w);
+        Wide<lane_count<D>> room[2 * D * K];
+        const Wide<lane_count<D>>* const w = plan_.weights(i, room);
         Wide<lane_count<D>> squares[D * K];
         for (int r = 0; r < D * K; ++r) squares[r] = w[r] * w[r];
         const Wide<lane_count<D>> m = masses(particles_, batch);
@@ -79,8 +79,8 @@ void MassMatrix<D>::multiply(const Vector& v, Vector& out) const {
       load_block<D, K, D>(plan_, block, v.data(), local);
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
         const Batch& batch = plan_.batches()[at(i)];
-        Wide<lane_count<D>> w[2 * D * K];
-        plan_.weights(i, w);
+        Wide<lane_count<D>> room[2 * D * K];
+        const Wide<lane_count<D>>* const w = plan_.weights(i, room);
         Wide<lane_count<D>> value[D];
         S::template gather<true, false>(local + batch.node * D, w, w + D * K, value, nullptr);
         const Wide<lane_count<D>> m = masses(particles_, batch);
@@ -151,8 +151,8 @@ void MassMatrix<D>::assemble(double factor, BlockMatrix<D>& H) const {
         const Batch& batch = plan_.batches()[at(i)];
         const Wide<lane_count<D>> m = masses(particles_, batch);
         std::int32_t node[count];
-        Wide<lane_count<D>> N[count], w[2 * D * K];
-        plan_.weights(i, w);
+        Wide<lane_count<D>> N[count], room[2 * D * K];
+        const Wide<lane_count<D>>* const w = plan_.weights(i, room);
         for (int n = 0; n < count; ++n) {
           node[n] = table[batch.node + n % K + edge * (n / K % K + edge * (n / (K * K)))];
           N[n] = node_value<D, K>(w, n);

@@ -178,7 +178,9 @@ __attribute__((noinline)) Lane in_cells(const Lane& x, double inverse) {
 template <int D>
 void Plan<D>::place(const Particles<D>& particles, Parallel& parallel) {
   const int edge = block_edge + nodes_per_axis() - 1;
+  const std::size_t stride = 2 * D * static_cast<std::size_t>(nodes_per_axis());
   place_.resize(batches_.size() * D);
+  if (D == 2) kept_.resize(batches_.size() * stride);
   parallel(static_cast<int>(blocks_.size()), [&](int b) {
     const Block<D>& block = blocks_[static_cast<std::size_t>(b)];
     for (int i = block.batch_begin; i < block.batch_end; ++i) {
@@ -194,6 +196,7 @@ void Plan<D>::place(const Particles<D>& particles, Parallel& parallel) {
         t = t > basis_->offset + 1 ? Wide<W>{} + (basis_->offset + 1) : t;
         place_[static_cast<std::size_t>(i * D + a)] = t;
       }
+      if (D == 2) compute_weights(i, kept_.data() + static_cast<std::size_t>(i) * stride);
     }
   });
 }
@@ -230,7 +233,7 @@ int Plan<D>::find_node(const std::array<long long, D>& index) const {
 
 template <int D>
 std::size_t Plan<D>::bytes() const {
-  return place_.size() * sizeof(Wide<W>) + node_of_.size() * 4 + batches_.size() * sizeof(Batch) +
+  return (place_.size() + kept_.size()) * sizeof(Wide<W>) + node_of_.size() * 4 + batches_.size() * sizeof(Batch) +
          index_.size() * sizeof(index_[0]) + key_.size() * 8 + order_.size() * 4;
 }
 

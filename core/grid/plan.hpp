@@ -87,16 +87,13 @@ class Plan {
   /// Global node of each node of the block's lattice, x fastest; -1 where the node is not active.
   const std::int32_t* node_table(const Block<D>& block) const { return node_of_.data() + block.nodes; }
   /// Weights of a batch: for each axis K values N, then for each axis K values dN/dx [1/m]; a lane a particle;
-  /// any finite numbers in the lanes beyond count. Computed anew from where the particles stand in their cell: that is
-  /// quicker than fetching six times as many numbers from memory.
-  void weights(int batch, Wide<W>* w) const {
-    const int n = D * basis_->nodes_per_axis;
-    const Wide<W>* const t = place_.data() + static_cast<std::ptrdiff_t>(batch) * D;
-    if constexpr (W == 4)
-      basis_->four(t, w, w + n);
-    else
-      basis_->eight(t, w, w + n);
-    for (int k = n; k < 2 * n; ++k) w[k] *= inverse_spacing_;
+  /// any finite numbers in the lanes beyond count. In 3D computed anew, in `room` for 2 D K, from where the particles
+  /// stand in their cell: that is quicker than fetching six times as many numbers from memory. In 2D, where all else is
+  /// as little work, they are kept.
+  const Wide<W>* weights(int batch, Wide<W>* room) const {
+    if constexpr (D == 2) return kept_.data() + static_cast<std::ptrdiff_t>(batch) * 2 * D * nodes_per_axis();
+    compute_weights(batch, room);
+    return room;
   }
   /// The active node at these lattice coordinates, or -1.
   int find_node(const std::array<long long, D>& index) const;
@@ -110,6 +107,15 @@ class Plan {
   void make_blocks(const Particles<D>& particles, const Keys& keys);
   void number_nodes();
   void place(const Particles<D>& particles, Parallel& parallel);
+  void compute_weights(int batch, Wide<W>* w) const {
+    const int n = D * basis_->nodes_per_axis;
+    const Wide<W>* const t = place_.data() + static_cast<std::ptrdiff_t>(batch) * D;
+    if constexpr (W == 4)
+      basis_->four(t, w, w + n);
+    else
+      basis_->eight(t, w, w + n);
+    for (int k = n; k < 2 * n; ++k) w[k] *= inverse_spacing_;
+  }
 
   const BasisInfo* basis_ = nullptr;
   double spacing_ = 0, inverse_spacing_ = 0;
@@ -123,6 +129,7 @@ class Plan {
   std::array<std::vector<int>, 1 << D> colours_;
   std::vector<std::int32_t> node_of_;
   std::vector<Wide<W>> place_;  ///< x / dx - base of each axis, D a batch
+  std::vector<Wide<W>> kept_;   ///< weights, in 2D
   std::vector<std::uint64_t> key_;
   std::vector<std::uint32_t> order_;
 };

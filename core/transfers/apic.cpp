@@ -18,8 +18,8 @@ void ApicTransfer<D>::grid_to_particles(const Plan<D>& plan, const GridState<D>&
       load_block<D, K, D>(plan, block, grid.v_end.data(), local);
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
         const Batch& batch = plan.batches()[static_cast<std::size_t>(i)];
-        Lane w[2 * D * K];
-        plan.weights(i, w);
+        Lane room[2 * D * K];
+        const Lane* const w = plan.weights(i, room);
         // C = B D^-1 has the form of a gradient: N (x_j - x_p)_a / D_aa takes the place of dN_a; for the linear basis
         // D is singular on the nodes and C = sum_j v_j (x) grad N_j.
         Lane slopes[D * K];

@@ -43,8 +43,8 @@ void particles_to_grid(const Plan<D>& plan, const Particles<D>& particles, bool 
       double local[S::nodes * C] = {};
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
         const Batch& batch = plan.batches()[at(i)];
-        Wide<lane_count<D>> w[2 * D * K];
-        plan.weights(i, w);
+        Wide<lane_count<D>> room[2 * D * K];
+        const Wide<lane_count<D>>* const w = plan.weights(i, room);
         using Lane = Wide<lane_count<D>>;
         Lane value[C], flux[C][D] = {};
         const Lane m = value[D] = load_lane<Lane>(particles.mass.data() + batch.first, batch.count);
@@ -146,8 +146,8 @@ void gather_field(const Plan<D>& plan, const Vector& field, Parallel& parallel, 
       load_block<D, K, D>(plan, block, field.data(), local);
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
         const Batch& batch = plan.batches()[at(i)];
-        Wide<lane_count<D>> w[2 * D * K], value[D];
-        plan.weights(i, w);
+        Wide<lane_count<D>> room[2 * D * K], value[D];
+        const Wide<lane_count<D>>* const w = plan.weights(i, room);
         S::template gather<true, false>(local + batch.node * D, w, w, value, nullptr);
         for (int lane = 0; lane < batch.count; ++lane)
           for (int a = 0; a < D; ++a) values[at(batch.first + lane)][a] = value[a][lane];
@@ -165,8 +165,8 @@ void scatter_field(const Plan<D>& plan, const std::vector<Vec<D>>& values, Paral
       double local[S::nodes * D] = {};
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
         const Batch& batch = plan.batches()[at(i)];
-        Wide<lane_count<D>> w[2 * D * K];
-        plan.weights(i, w);
+        Wide<lane_count<D>> room[2 * D * K];
+        const Wide<lane_count<D>>* const w = plan.weights(i, room);
         Wide<lane_count<D>> value[D] = {};
         for (int lane = 0; lane < batch.count; ++lane)
           for (int a = 0; a < D; ++a) value[a][lane] = values[at(batch.first + lane)][a];
@@ -188,8 +188,8 @@ void move_particles(const Plan<D>& plan, const Vector& u, const Particles<D>& pa
       load_block<D, K, D>(plan, block, u.data(), local);
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
         const Batch& batch = plan.batches()[at(i)];
-        Wide<lane_count<D>> w[2 * D * K];
-        plan.weights(i, w);
+        Wide<lane_count<D>> room[2 * D * K];
+        const Wide<lane_count<D>>* const w = plan.weights(i, room);
         Wide<lane_count<D>> value[D], gradient[D][D];
         S::template gather<true, true>(local + batch.node * D, w, w + D * K, value, gradient);
         Wide<lane_count<D>> x[D], F_hat[D * D], F_n[D * D], F[D * D];

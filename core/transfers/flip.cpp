@@ -23,8 +23,8 @@ void FlipTransfer<D>::grid_to_particles(const Plan<D>& plan, const GridState<D>&
       }
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
         const Batch& batch = plan.batches()[static_cast<std::size_t>(i)];
-        Lane w[2 * D * K], value[D], v[D];
-        plan.weights(i, w);
+        Lane room[2 * D * K], value[D], v[D];
+        const Lane* const w = plan.weights(i, room);
         S::template gather<true, false>(gained + batch.node * D, w, w, value, nullptr);
         const auto p = static_cast<std::size_t>(batch.first);
         load_lanes<D>(particles.v[p].data(), batch.count, v);

@@ -22,8 +22,8 @@ void for_each_pair(const Grid<D>& grid, F&& f) {
   for (const Block<D>& block : plan.blocks())
     for (int i = block.batch_begin; i < block.batch_end; ++i) {
       const Batch& batch = plan.batches()[static_cast<std::size_t>(i)];
-      Wide<lane_count<D>> w[2 * D * max_nodes_per_axis];
-      plan.weights(i, w);
+      Wide<lane_count<D>> room[2 * D * max_nodes_per_axis];
+      const Wide<lane_count<D>>* const w = plan.weights(i, room);
       for (int lane = 0; lane < batch.count; ++lane)
         for (int n = 0; n < (D == 2 ? K * K : K * K * K); ++n) {
           const int r[3] = {n % K, n / K % K, n / (K * K)};
