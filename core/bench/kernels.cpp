@@ -59,15 +59,16 @@ void Kernels<D>::plan_and_transfers() {
   add("P2G, FLIP", {weights + vector_bytes(D) + 8, stencil_flops(D, K_, D + 1, true, false)},
       [&] { particles_to_grid(body_.plan, body_.particles, false, body_.parallel, body_.grid); });
   const std::unique_ptr<Transfer<D>> apic = make_transfer<D>("apic", 0), flip = make_transfer<D>("flip", 0.95);
-  const Motion<D> to = in_place(body_.particles);
-  add("G2P velocities, APIC", {weights + 2 * vector_bytes(D) + matrix_bytes(D), stencil_flops(D, K_, D, true, true)},
+  const double n2 = 2 * vector_bytes(D), F = 2 * matrix_bytes(D), gradient = stencil_flops(D, K_, D, false, true);
+  Scratch memory;
+  Motion<D> to = apart<D>(body_.particles.size(), true, memory);
+  add("new positions and order", {weights + n2 + 16 + 8, stencil_flops(D, K_, D, true, false)},
+      [&] { body_.plan.foresee(body_.particles, body_.grid.u, to, body_.parallel); });
+  to.place = nullptr;
+  add("G2P, APIC", {weights + n2 + F + matrix_bytes(D), stencil_flops(D, K_, D, true, true) + gradient + 2 * D * D * D},
       [&] { apic->grid_to_particles(body_.plan, body_.grid, body_.particles, body_.parallel, to); });
-  add("G2P velocities, FLIP", {weights + 2 * vector_bytes(D), 2 * stencil_flops(D, K_, D, true, false)},
+  add("G2P, FLIP", {weights + n2 + F, stencil_flops(D, K_, D, true, false) + gradient + 2 * D * D * D},
       [&] { flip->grid_to_particles(body_.plan, body_.grid, body_.particles, body_.parallel, to); });
-  const Vector still = Vector::Zero(body_.grid.u.size());
-  add("G2P positions and F",
-      {weights + 2 * vector_bytes(D) + 2 * matrix_bytes(D), stencil_flops(D, K_, D, true, true) + 2 * D * D * D},
-      [&] { move_particles(body_.plan, still, body_.particles, body_.parallel, to); });
 }
 
 template <int D>

@@ -36,20 +36,39 @@ struct Particles {
   }
 };
 
-/// Where a step puts what it changes of the particles, in their order: themselves, or memory that is read once, by the
-/// next plan. Until then nothing of the particles has changed, and a step that comes to nothing is forgotten.
+/// Where a step puts what it changes of the particles: themselves, or memory that is read once, by the next plan. Until
+/// then nothing of the particles has changed, and a step that comes to nothing is forgotten.
 template <int D>
 struct Motion {
   Vec<D>*x, *v;
-  Mat<D>* F;
+  Mat<D>* F;  ///< null: stays what it is
   Mat<D>* C;  ///< null: stays what it is
   /// Room for a Vec<D> a particle, for sorting; null: it is allocated.
   Vec<D>* spare = nullptr;
+  /// Where v, F and C of each particle go: its place in the next plan's order (Plan::foresee); null: the present one.
+  /// Positions stand in the present order.
+  const std::uint32_t* place = nullptr;
+  /// Whose memory this is, if the particles may have it in exchange for theirs; null: it is copied.
+  Particles<D>* owner = nullptr;
 };
 
 template <int D>
 Motion<D> in_place(Particles<D>& particles) {
   return {particles.x.data(), particles.v.data(), particles.F.data(), particles.C.data()};
+}
+/// The particles' other memory: as much as theirs, exchanged for it by the next plan.
+template <int D>
+Motion<D> exchanged(const Particles<D>& particles, bool affine, Particles<D>& other) {
+  other.X.resize(particles.size());
+  other.x.resize(particles.size());
+  other.v.resize(particles.size());
+  other.F.resize(particles.size());
+  other.C.resize(affine ? particles.size() : 0);
+  Motion<D> motion = in_place(other);
+  if (!affine) motion.C = nullptr;
+  motion.spare = other.X.data();
+  motion.owner = &other;
+  return motion;
 }
 /// In `scratch`; `affine`: C changes too.
 template <int D>

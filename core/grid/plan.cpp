@@ -4,13 +4,13 @@
 #include <bit>
 #include <cmath>
 
-#include "core/grid/plan_keys.hpp"
 #include "core/grid/records.hpp"
 
 namespace pf {
 
 template <int D>
-void Plan<D>::make_blocks(const Particles<D>& particles, const Keys& keys) {
+void Plan<D>::make_blocks(const Particles<D>& particles) {
+  const Keys& keys = keys_;
   const int edge_nodes = block_edge + nodes_per_axis() - 1;
   blocks_.clear();
   batches_.clear();
@@ -202,18 +202,10 @@ void Plan<D>::place(const Particles<D>& particles, Parallel& parallel) {
 }
 
 template <int D>
-bool Plan<D>::build(Particles<D>& particles, const Motion<D>& moved, const BasisInfo& basis, double spacing,
-                    Parallel& parallel) {
-  basis_ = &basis;
-  spacing_ = spacing;
-  inverse_spacing_ = 1 / spacing;
-  Keys keys;
-  if (!make_keys(particles, moved.x, keys)) return false;
-  sort(particles, moved, keys, parallel);
-  make_blocks(particles, keys);
+void Plan<D>::make_tables(const Particles<D>& particles, Parallel& parallel) {
+  make_blocks(particles);
   number_nodes();
   place(particles, parallel);
-  return true;
 }
 
 template <int D>
@@ -234,7 +226,8 @@ int Plan<D>::find_node(const std::array<long long, D>& index) const {
 template <int D>
 std::size_t Plan<D>::bytes() const {
   return (place_.size() + kept_.size()) * sizeof(Wide<W>) + node_of_.size() * 4 + batches_.size() * sizeof(Batch) +
-         index_.size() * sizeof(index_[0]) + key_.size() * 8 + order_.size() * 4;
+         index_.size() * sizeof(index_[0]) + (key_.size() + next_key_.size()) * 8 +
+         (order_.size() + place_of_.size()) * 4;
 }
 
 template class Plan<2>;

@@ -8,14 +8,12 @@
 
 #include "core/bases/basis.hpp"
 #include "core/grid/particles.hpp"
+#include "core/grid/plan_keys.hpp"
 #include "core/grid/wide.hpp"
 #include "core/math/parallel.hpp"
 #include "core/types.hpp"
 
 namespace pf {
-
-/// Cells along each edge of a block.
-inline constexpr int block_edge = 4;
 
 /// Up to lane_count<D> particles of one cell: they share their nodes.
 struct Batch {
@@ -56,15 +54,13 @@ class Plan {
 
   /// Sorts `particles` by block and cell (their order changes; ids stay), numbers the active nodes and computes the
   /// weights. False when a position is not finite or the particles are too far apart to be indexed.
-  bool build(Particles<D>& particles, const BasisInfo& basis, double spacing, Parallel& parallel) {
-    return build(particles, in_place(particles), basis, spacing, parallel);
-  }
-  /// The same of particles that have moved: they become what `moved` holds.
-  bool build(Particles<D>& particles, const Motion<D>& moved, const BasisInfo& basis, double spacing,
-             Parallel& parallel);
+  bool build(Particles<D>& particles, const BasisInfo& basis, double spacing, Parallel& parallel);
 
-  /// Whether build() could index particles at these positions with the basis and spacing of the newest build.
-  bool can_index(const Particles<D>& particles, const Vec<D>* x) const;
+  /// Before the particles move with the nodes: to.x becomes x_p + sum_j u_j N_j(x_p) (THEORY T5), to.place the order that
+  /// follow() will put them in, null if it is the present one. The plan stays what it is. False as of build().
+  bool foresee(const Particles<D>& particles, const Vector& u, Motion<D>& to, Parallel& parallel);
+  /// The plan of particles that have moved as foreseen: they become what `moved` holds, in the order foreseen.
+  void follow(Particles<D>& particles, const Motion<D>& moved, Parallel& parallel);
 
   int nodes_per_axis() const { return basis_->nodes_per_axis; }
   const BasisInfo& basis() const { return *basis_; }
@@ -100,11 +96,15 @@ class Plan {
   std::size_t bytes() const;
 
  private:
-  struct Keys;
+  using Keys = PlanKeys<D>;
   bool make_keys(const Particles<D>& particles, const Vec<D>* x, Keys& keys) const;
-  void sort(Particles<D>& particles, const Motion<D>& moved, Keys& keys, Parallel& parallel);
-  void permute(Particles<D>& particles, const Motion<D>& moved, Parallel& parallel) const;
-  void make_blocks(const Particles<D>& particles, const Keys& keys);
+  bool cell_keys(const Keys& keys, const Vec<D>* x, const std::uint16_t* material, std::ptrdiff_t count,
+                 std::uint64_t* key) const;
+  bool order_by(const std::vector<std::uint64_t>& key, const Keys& keys, Vec<D>* spare, Parallel& parallel);
+  bool order_movers();
+  void adopt(Particles<D>& particles, const Motion<D>& moved, Parallel& parallel);
+  void make_tables(const Particles<D>& particles, Parallel& parallel);
+  void make_blocks(const Particles<D>& particles);
   void number_nodes();
   void place(const Particles<D>& particles, Parallel& parallel);
   void compute_weights(int batch, Wide<W>* w) const {
@@ -130,8 +130,16 @@ class Plan {
   std::vector<std::int32_t> node_of_;
   std::vector<Wide<W>> place_;  ///< x / dx - base of each axis, D a batch
   std::vector<Wide<W>> kept_;   ///< weights, in 2D
-  std::vector<std::uint64_t> key_;
-  std::vector<std::uint32_t> order_;
+  Keys keys_, next_keys_;
+  std::vector<std::uint64_t> key_;  ///< of each particle, ascending
+  // What foresee() finds out.
+  std::vector<std::uint64_t> next_key_;
+  std::vector<std::uint32_t> order_, place_of_;  ///< which particle comes to a place, and the other way round
+  struct Mover {
+    std::uint64_t key;
+    std::uint32_t particle;
+  };
+  std::vector<Mover> movers_;
 };
 
 extern template class Plan<2>;

@@ -1,30 +1,37 @@
 // Where a particle stands in the order that a plan sorts by.
 #pragma once
 
-#include "core/grid/plan.hpp"
+#include <array>
+#include <cstdint>
+
+#include "core/grid/wide.hpp"
 
 namespace pf {
 
-inline constexpr int edge_bits = 2;
-static_assert(block_edge == 1 << edge_bits);
+/// Cells along each edge of a block.
+inline constexpr int edge_bits = 2, block_edge = 1 << edge_bits;
 
 /// The sort key packs, from the top: block (z, y, x), cell in the block (z, y, x), material.
 template <int D>
-struct Plan<D>::Keys {
+struct PlanKeys {
   std::array<long long, D> origin{};  ///< lattice coordinate of block (0, 0, 0), a multiple of block_edge
   std::array<int, D> block_bits{};
   int material_bits = 0;
   int total_bits = 0;
 
-  std::uint64_t pack(const std::array<long long, D>& base, std::uint16_t material) const {
-    std::uint64_t block = 0, cell = 0;
+  /// Of the cells `base`, a lane a particle, without the material; `outside` becomes something else than zero in the
+  /// lanes that have no key.
+  template <class Integers>
+  Integers pack(const Integers* base, Integers& outside) const {
+    Integers block{}, cell{};
     for (int a = D - 1; a >= 0; --a) {
-      const auto r =
-          static_cast<std::uint64_t>(base[static_cast<std::size_t>(a)] - origin[static_cast<std::size_t>(a)]);
-      block = block << block_bits[static_cast<std::size_t>(a)] | r >> edge_bits;
+      const auto k = static_cast<std::size_t>(a);
+      const Integers r = base[a] - origin[k];
+      outside |= r >> (block_bits[k] + edge_bits);  // of a negative number too
+      block = block << block_bits[k] | r >> edge_bits;
       cell = cell << edge_bits | (r & (block_edge - 1));
     }
-    return ((block << (D * edge_bits) | cell) << material_bits) | material;
+    return (block << (D * edge_bits) | cell) << material_bits;
   }
   std::uint64_t block_of(std::uint64_t key) const { return key >> (material_bits + D * edge_bits); }
   std::uint64_t cell_of(std::uint64_t key) const { return (key >> material_bits) & ((1u << (D * edge_bits)) - 1); }

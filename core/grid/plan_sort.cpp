@@ -5,7 +5,8 @@
 #include <limits>
 #include <numeric>
 
-#include "core/grid/plan_keys.hpp"
+#include "core/grid/plan.hpp"
+#include "core/grid/records.hpp"
 #include "core/math/vector_ops.hpp"
 
 namespace pf {
@@ -40,9 +41,9 @@ bool Plan<D>::make_keys(const Particles<D>& particles, const Vec<D>* positions, 
     long long first = 0, last = 0;
     basis_->weights(low[a] * inverse, first, N, dN);
     basis_->weights(high[a] * inverse, last, N, dN);
-    // A cell more on either side: rounding may place a particle on a cell's face differently elsewhere.
-    keys.origin[a] = (first - 1) & ~static_cast<long long>(block_edge - 1);
-    keys.block_bits[a] = bits_for(static_cast<std::uint64_t>(last + 1 - keys.origin[a]) >> edge_bits);
+    // A block more on either side: keys last until a particle leaves it.
+    keys.origin[a] = (first & ~static_cast<long long>(block_edge - 1)) - block_edge;
+    keys.block_bits[a] = bits_for(static_cast<std::uint64_t>(last + block_edge - keys.origin[a]) >> edge_bits);
     bits += keys.block_bits[a];
   }
   std::uint16_t materials = 0;
@@ -50,6 +51,45 @@ bool Plan<D>::make_keys(const Particles<D>& particles, const Vec<D>* positions, 
   keys.material_bits = materials == 0 ? 0 : bits_for(materials);
   keys.total_bits = bits + keys.material_bits;
   return keys.total_bits < 64;
+}
+
+template <int D>
+bool Plan<D>::cell_keys(const Keys& keys, const Vec<D>* x, const std::uint16_t* material, std::ptrdiff_t count,
+                        std::uint64_t* key) const {
+  using Integers = Whole<W>;
+  const double inverse = inverse_spacing_, offset = basis_->offset;
+  Integers outside{};
+  for (std::ptrdiff_t p = 0; p < count; p += W) {
+    const int lanes = static_cast<int>(std::min<std::ptrdiff_t>(W, count - p));
+    Wide<W> place[D];
+    load_lanes<D>(x[p].data(), lanes, place);
+    Integers base[D], here{};
+    for (int a = 0; a < D; ++a) {
+      const Wide<W> s = place[a] * inverse - offset;
+      // Beyond what an integer holds, and what is not a number, has no key.
+      const auto far = !(s < 4e18 && s > -4e18);
+      const Wide<W> near = far ? Wide<W>{} : s;
+      Integers down = __builtin_convertvector(near, Integers);
+      down += __builtin_convertvector(down, Wide<W>) > near;  // a comparison that holds is -1
+      base[a] = down;
+      here |= far;
+    }
+    Integers k = keys.pack(base, here);
+    if (lanes == W) {
+      if (keys.material_bits > 0)
+        for (int lane = 0; lane < W; ++lane) k[lane] |= material[p + lane];
+      std::memcpy(key + p, &k, sizeof k);
+      outside |= here;
+    } else {
+      for (int lane = 0; lane < lanes; ++lane) {
+        key[p + lane] = static_cast<std::uint64_t>(k[lane]) | (keys.material_bits > 0 ? material[p + lane] : 0u);
+        outside[0] |= here[lane];
+      }
+    }
+  }
+  std::int64_t any = 0;
+  for (int lane = 0; lane < W; ++lane) any |= outside[lane];
+  return any == 0;
 }
 
 namespace {
@@ -92,76 +132,94 @@ void copy(const T* from, std::size_t n, Parallel& parallel, T* to) {
 }  // namespace
 
 template <int D>
-void Plan<D>::permute(Particles<D>& particles, const Motion<D>& moved, Parallel& parallel) const {
-  const std::size_t n = particles.size();
-  std::vector<Mat<D>> own(moved.spare ? 0 : n);
-  void* const spare = moved.spare ? static_cast<void*>(moved.spare) : own.data();
-  const auto sorted = [&]<class T>(std::vector<T>& values, const T* from) {
-    if (from == values.data()) {
-      copy(from, n, parallel, static_cast<T*>(spare));
-      from = static_cast<const T*>(spare);
-    }
-    gather(from, order_, parallel, values.data());
-  };
-  sorted(particles.x, moved.x);
-  sorted(particles.v, moved.v);
-  sorted(particles.F, moved.F);
-  if (moved.C) sorted(particles.C, moved.C);
-  if (!particles.a.empty()) sorted(particles.a, particles.a.data());
-  sorted(particles.X, particles.X.data());
-  sorted(particles.mass, particles.mass.data());
-  sorted(particles.volume0, particles.volume0.data());
-  sorted(particles.id, particles.id.data());
-  sorted(particles.body, particles.body.data());
-  sorted(particles.material, particles.material.data());
-}
-
-template <int D>
-void Plan<D>::sort(Particles<D>& particles, const Motion<D>& moved, Keys& keys, Parallel& parallel) {
-  const std::size_t n = particles.size();
-  const double inverse = 1 / spacing_;
-  key_.resize(n);
+bool Plan<D>::order_by(const std::vector<std::uint64_t>& key, const Keys& keys, Vec<D>* spare, Parallel& parallel) {
+  const std::size_t n = key.size();
+  if (std::is_sorted(key.begin(), key.end())) return false;
   order_.resize(n);
-  const double offset = basis_->offset;
-  bool sorted = true;
-  for (std::size_t p = 0; p < n; ++p) {
-    std::array<long long, D> base{};
-    for (int a = 0; a < D; ++a)
-      base[static_cast<std::size_t>(a)] = static_cast<long long>(std::floor(moved.x[p][a] * inverse - offset));
-    key_[p] = keys.pack(base, particles.material[p]);
-    sorted = sorted && (p == 0 || key_[p - 1] <= key_[p]);
-  }
-  if (sorted) {
-    if (moved.x == particles.x.data()) return;
-    copy(moved.x, n, parallel, particles.x.data());
-    copy(moved.v, n, parallel, particles.v.data());
-    copy(moved.F, n, parallel, particles.F.data());
-    if (moved.C) copy(moved.C, n, parallel, particles.C.data());
-    return;
-  }
+  place_of_.resize(n);
   std::iota(order_.begin(), order_.end(), 0u);
-  // A key and an index are no longer than a Vec.
-  std::vector<Vec<D>> own(moved.spare ? 0 : n);
-  auto* const other_key = reinterpret_cast<std::uint64_t*>(moved.spare ? moved.spare : own.data());
-  auto* const other_order = reinterpret_cast<std::uint32_t*>(other_key + n);
-  if (radix_sort(key_.data(), order_.data(), other_key, other_order, n, keys.total_bits)) {
-    copy(other_key, n, parallel, key_.data());
-    copy(other_order, n, parallel, order_.data());
-  }
-  permute(particles, moved, parallel);
+  // Two keys are no longer than a Vec.
+  std::vector<Vec<D>> own(spare ? 0 : n);
+  auto* const sorted = reinterpret_cast<std::uint64_t*>(spare ? spare : own.data());
+  auto* const other = sorted + n;
+  copy(key.data(), n, parallel, sorted);
+  if (radix_sort(sorted, order_.data(), other, place_of_.data(), n, keys.total_bits)) order_.swap(place_of_);
+  for (std::size_t i = 0; i < n; ++i) place_of_[order_[i]] = static_cast<std::uint32_t>(i);
+  return true;
 }
 
 template <int D>
-bool Plan<D>::can_index(const Particles<D>& particles, const Vec<D>* x) const {
-  Keys keys;
-  return make_keys(particles, x, keys);
+bool Plan<D>::build(Particles<D>& particles, const BasisInfo& basis, double spacing, Parallel& parallel) {
+  basis_ = &basis;
+  spacing_ = spacing;
+  inverse_spacing_ = 1 / spacing;
+  if (!make_keys(particles, particles.x.data(), keys_)) return false;
+  const std::size_t n = particles.size();
+  key_.resize(n);
+  cell_keys(keys_, particles.x.data(), particles.material.data(), static_cast<std::ptrdiff_t>(n), key_.data());
+  if (order_by(key_, keys_, nullptr, parallel)) {
+    Particles<D> before = particles;
+    const auto sorted = [&]<class T>(std::vector<T>& to, const std::vector<T>& from) {
+      if (!from.empty()) gather(from.data(), order_, parallel, to.data());
+    };
+    sorted(particles.x, before.x);
+    sorted(particles.v, before.v);
+    sorted(particles.F, before.F);
+    sorted(particles.C, before.C);
+    sorted(particles.a, before.a);
+    sorted(particles.X, before.X);
+    sorted(particles.mass, before.mass);
+    sorted(particles.volume0, before.volume0);
+    sorted(particles.id, before.id);
+    sorted(particles.body, before.body);
+    sorted(particles.material, before.material);
+    std::sort(key_.begin(), key_.end());
+  }
+  make_tables(particles, parallel);
+  return true;
 }
 
-#define PF_INSTANTIATE(D)                                                            \
-  template void Plan<D>::permute(Particles<D>&, const Motion<D>&, Parallel&) const;  \
-  template bool Plan<D>::make_keys(const Particles<D>&, const Vec<D>*, Keys&) const; \
-  template void Plan<D>::sort(Particles<D>&, const Motion<D>&, Keys&, Parallel&);    \
-  template bool Plan<D>::can_index(const Particles<D>&, const Vec<D>*) const;
+template <int D>
+void Plan<D>::adopt(Particles<D>& particles, const Motion<D>& moved, Parallel& parallel) {
+  const std::size_t n = particles.size();
+  // What the step wrote stands in its new place already.
+  const auto taken = [&]<class T>(std::vector<T>& values, const T* from, std::vector<T>* other) {
+    if (other)
+      values.swap(*other);
+    else
+      copy(from, n, parallel, values.data());
+  };
+  Particles<D>* const owner = moved.owner;
+  taken(particles.v, moved.v, owner ? &owner->v : nullptr);
+  taken(particles.F, moved.F, owner ? &owner->F : nullptr);
+  if (moved.C) taken(particles.C, moved.C, owner ? &owner->C : nullptr);
+  if (!moved.place) return taken(particles.x, moved.x, owner ? &owner->x : nullptr);
+  gather(moved.x, order_, parallel, particles.x.data());
+  const auto sorted = [&]<class T>(std::vector<T>& values) {
+    if (values.empty()) return;
+    T* const spare = reinterpret_cast<T*>(moved.spare);
+    copy(values.data(), n, parallel, spare);
+    gather(spare, order_, parallel, values.data());
+  };
+  sorted(particles.a);
+  sorted(particles.mass);
+  sorted(particles.volume0);
+  sorted(particles.id);
+  sorted(particles.body);
+  if (keys_.material_bits > 0) sorted(particles.material);
+  if (!owner) return sorted(particles.X);
+  // Last: the owner's X is the room that the others were sorted in.
+  gather(particles.X.data(), order_, parallel, owner->X.data());
+  particles.X.swap(owner->X);
+}
+
+#define PF_INSTANTIATE(D)                                                                                            \
+  template bool Plan<D>::build(Particles<D>&, const BasisInfo&, double, Parallel&);                                  \
+  template bool Plan<D>::make_keys(const Particles<D>&, const Vec<D>*, Keys&) const;                                 \
+  template bool Plan<D>::cell_keys(const Keys&, const Vec<D>*, const std::uint16_t*, std::ptrdiff_t, std::uint64_t*) \
+      const;                                                                                                         \
+  template bool Plan<D>::order_by(const std::vector<std::uint64_t>&, const Keys&, Vec<D>*, Parallel&);               \
+  template void Plan<D>::adopt(Particles<D>&, const Motion<D>&, Parallel&);
 PF_INSTANTIATE(2)
 PF_INSTANTIATE(3)
 #undef PF_INSTANTIATE

@@ -1,6 +1,7 @@
 // Particles' vectors and matrices in and out of lanes: one particle a record in memory, one a lane in arithmetic.
 #pragma once
 
+#include <cstdint>
 #include <cstring>
 
 #include "core/grid/wide.hpp"
@@ -95,6 +96,20 @@ inline void store_lanes(const Lane* lanes, int count, double* records) {
   double some[width * size];
   detail::store_whole<size>(lanes, some);
   std::memcpy(records, some, sizeof(double) * static_cast<std::size_t>(count * size));
+}
+
+/// The record of lane k goes to `records` + size place[k]; to + size k where `place` is null.
+template <int size, class Lane>
+inline void store_lanes_at(const Lane* lanes, int count, const std::uint32_t* place, double* records) {
+  if (!place) return store_lanes<size>(lanes, count, records);
+  bool together = true;
+  for (int lane = 1; lane < count; ++lane) together = together && place[lane] == place[0] + static_cast<unsigned>(lane);
+  if (together) return store_lanes<size>(lanes, count, records + static_cast<std::size_t>(place[0]) * size);
+  constexpr int width = sizeof(Lane) / sizeof(double);
+  double some[width * size];
+  detail::store_whole<size>(lanes, some);
+  for (int lane = 0; lane < count; ++lane)
+    std::memcpy(records + static_cast<std::size_t>(place[lane]) * size, some + lane * size, sizeof(double) * size);
 }
 
 /// One number a particle.

@@ -2,6 +2,8 @@
 // AVX2, AVX-512 and NEON.
 #pragma once
 
+#include <cstdint>
+
 namespace pf {
 
 /// Particles handled together: a 2D cell usually holds 4, a 3D cell 8.
@@ -14,6 +16,14 @@ struct WideOf {
 };
 template <int W>
 using Wide = typename WideOf<W>::type;
+
+/// As many integers.
+template <int W>
+struct WholeOf {
+  typedef std::int64_t type __attribute__((vector_size(W * 8)));  // NOLINT: the attribute needs a typedef
+};
+template <int W>
+using Whole = typename WholeOf<W>::type;
 
 /// As many numbers in single precision: half the memory for what need not be exact.
 template <int W>

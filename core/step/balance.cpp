@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+
+#include "core/grid/records.hpp"
 
 namespace pf {
 
@@ -17,46 +20,105 @@ Vec3 cross(const Vec<D>& a, const Vec<D>& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// The rotation in C D: sum_i m N_i r x (C r), r = x_i - x_p.
+/// Sums of one block's particles, a lane each until the end.
 template <int D>
-Vec3 affine_angular(const Mat<D>& C, const Vec<D>& inertia) {
-  if constexpr (D == 2)
-    return {0, 0, C(1, 0) * inertia[0] - C(0, 1) * inertia[1]};
-  else
-    return {C(2, 1) * inertia[1] - C(1, 2) * inertia[2], C(0, 2) * inertia[2] - C(2, 0) * inertia[0],
-            C(1, 0) * inertia[0] - C(0, 1) * inertia[1]};
-}
+class LaneBalance {
+ public:
+  using Lane = Wide<lane_count<D>>;
 
-}  // namespace
+  LaneBalance(const Particles<D>& particles, const Plan<D>& plan, bool affine, const Vec<D>& gravity)
+      : particles_(particles), plan_(plan), affine_(affine), gravity_(gravity) {}
 
-namespace {
+  /// `count` particles from p on; psi of the first.
+  void add(std::size_t p, int count, const double* psi) {
+    const auto m = load_lane<Lane>(particles_.mass.data() + p, count);
+    Lane x[D], v[D], mv[D], square{}, height{};
+    load_lanes<D>(particles_.x[p].data(), count, x);
+    load_lanes<D>(particles_.v[p].data(), count, v);
+    for (int a = 0; a < D; ++a) {
+      mv[a] = m * v[a];
+      square += mv[a] * v[a];
+      height += gravity_[a] * x[a];
+      momentum_[a] += mv[a];
+    }
+    elastic_ += load_lane<Lane>(particles_.volume0.data() + p, count) * load_lane<Lane>(psi, count);
+    potential_ -= m * height;
+    for (std::size_t k = 0; k < turns; ++k) {
+      const auto [a, b] = axes(k);
+      angular_[k] += x[a] * mv[b] - x[b] * mv[a];
+    }
+    if (affine_) {
+      Lane C[D * D], inertia[D];
+      load_lanes<D * D>(particles_.C[p].data(), count, C);
+      affine_inertias(p, count, inertia);
+      for (int b = 0; b < D; ++b) {
+        const Lane mD = m * inertia[b];
+        for (int a = 0; a < D; ++a) {
+          square += mD * C[a + D * b] * C[a + D * b];
+          C[a + D * b] *= mD;
+        }
+      }
+      // sum_i m N_i r x (C r), r = x_i - x_p.
+      for (std::size_t k = 0; k < turns; ++k) {
+        const auto [a, b] = axes(k);
+        angular_[k] += C[b + D * a] - C[a + D * b];
+      }
+    }
+    kinetic_ += 0.5 * square;
+  }
+  Balance sum() const {
+    Balance b;
+    b.kinetic = sum_lanes(kinetic_);
+    b.elastic = sum_lanes(elastic_);
+    b.potential = sum_lanes(potential_);
+    for (int a = 0; a < D; ++a) b.momentum[a] = sum_lanes(momentum_[a]);
+    for (std::size_t k = 0; k < turns; ++k)
+      b.angular_momentum[D == 2 ? 2 : static_cast<int>(k)] = sum_lanes(angular_[k]);
+    return b;
+  }
 
-/// Of the particles of one block.
+ private:
+  static constexpr std::size_t turns = D == 2 ? 1 : 3;
+  /// The axes a, b of the plane that component k turns in, from a to b.
+  static constexpr std::pair<int, int> axes(std::size_t k) {
+    const int first = D == 2 ? 0 : static_cast<int>(k + 1) % 3;
+    return {first, D == 2 ? 1 : (first + 1) % 3};
+  }
+  void affine_inertias(std::size_t p, int count, Lane* inertia) const {
+    const BasisInfo& basis = plan_.basis();
+    if (basis.affine_by_moments) {
+      std::fill_n(inertia, D, Lane{} + basis.moment * plan_.spacing() * plan_.spacing());
+      return;
+    }
+    std::fill_n(inertia, D, Lane{});
+    for (int lane = 0; lane < count; ++lane) {
+      const Vec<D> one = affine_inertia<D>(basis, plan_.spacing(), particles_.x[p + static_cast<std::size_t>(lane)]);
+      for (int a = 0; a < D; ++a) inertia[a][lane] = one[a];
+    }
+  }
+
+  const Particles<D>& particles_;
+  const Plan<D>& plan_;
+  bool affine_;
+  const Vec<D>& gravity_;
+  Lane kinetic_{}, elastic_{}, potential_{}, momentum_[D] = {}, angular_[turns] = {};
+};
+
 template <int D>
 Balance block_balance(const Particles<D>& particles, const Laws<D>& laws, const Plan<D>& plan, const Block<D>& block,
                       bool affine, const Vec<D>& gravity) {
-  Balance b;
+  LaneBalance<D> balance(particles, plan, affine, gravity);
   double psi[longest_run];
   for (int r = block.run_begin; r < block.run_end; ++r) {
     const MaterialRun& run = plan.runs()[static_cast<std::size_t>(r)];
-    const auto n = static_cast<std::size_t>(run.end - run.begin);
-    laws[run.material]->energy({particles.F.data() + run.begin, n}, {psi, n});
-    for (std::size_t k = 0; k < n; ++k) {
-      const std::size_t p = static_cast<std::size_t>(run.begin) + k;
-      const double m = particles.mass[p];
-      b.elastic += particles.volume0[p] * psi[k];
-      b.kinetic += 0.5 * m * particles.v[p].squaredNorm();
-      b.potential -= m * gravity.dot(particles.x[p]);
-      b.momentum.head<D>() += m * particles.v[p];
-      b.angular_momentum += m * cross<D>(particles.x[p], particles.v[p]);
-      if (!affine) continue;
-      const Vec<D> inertia = affine_inertia<D>(plan.basis(), plan.spacing(), particles.x[p]);
-      const Mat<D>& C = particles.C[p];
-      b.kinetic += 0.5 * m * (C.cwiseAbs2() * inertia).sum();
-      b.angular_momentum += m * affine_angular<D>(C, inertia);
-    }
+    const int n = run.end - run.begin;
+    const auto begin = static_cast<std::size_t>(run.begin);
+    laws[run.material]->energy({particles.F.data() + begin, static_cast<std::size_t>(n)},
+                               {psi, static_cast<std::size_t>(n)});
+    for (int k = 0; k < n; k += lane_count<D>)
+      balance.add(begin + static_cast<std::size_t>(k), std::min(lane_count<D>, n - k), psi + k);
   }
-  return b;
+  return balance.sum();
 }
 
 }  // namespace
@@ -93,30 +155,36 @@ Vec3 grid_angular_momentum(const Plan<D>& plan, const Vector& u, double part, co
 }
 
 template <int D>
-StateCheck check_state(const Particles<D>& particles, const Motion<D>& moved) {
-  StateCheck check;
-  check.min_J = INFINITY;
-  check.max_J = -INFINITY;
+StateCheck check_state(const Particles<D>& particles) {
+  StateCheck check{.min_J = INFINITY, .max_J = -INFINITY};
   for (std::size_t p = 0; p < particles.size(); ++p) {
-    const double J = moved.F[p].determinant(), speed = moved.v[p].norm();
-    if (!std::isfinite(J) || !std::isfinite(speed) || !moved.x[p].allFinite()) {
-      check.finite = false;
-      check.worst = particles.id[p];
-      return check;
-    }
-    if (J < check.min_J) check.worst = particles.id[p];
-    check.min_J = std::min(check.min_J, J);
-    check.max_J = std::max(check.max_J, J);
-    check.max_speed = std::max(check.max_speed, speed);
+    const double J = particles.F[p].determinant(), speed = particles.v[p].norm();
+    const bool finite = std::isfinite(J) && std::isfinite(speed) && particles.x[p].allFinite();
+    check.include({finite, J, J, speed});
   }
   return check;
+}
+
+template <int D>
+std::uint32_t worst_particle(const Particles<D>& particles, const Motion<D>& moved) {
+  double least = INFINITY;
+  std::size_t worst = 0;
+  for (std::size_t p = 0; p < particles.size(); ++p) {
+    const std::size_t to = moved.place ? moved.place[p] : p;
+    const double J = moved.F[to].determinant();
+    if (!std::isfinite(J) || !moved.v[to].allFinite() || !moved.x[p].allFinite()) return particles.id[p];
+    if (J < least) worst = p;
+    least = std::min(least, J);
+  }
+  return particles.id[worst];
 }
 
 #define PF_INSTANTIATE(D)                                                                                        \
   template Balance particle_balance<D>(const Particles<D>&, const Laws<D>&, const Plan<D>&, bool, const Vec<D>&, \
                                        Parallel&);                                                               \
   template Vec3 grid_angular_momentum<D>(const Plan<D>&, const Vector&, double, const Vector&);                  \
-  template StateCheck check_state<D>(const Particles<D>&, const Motion<D>&);
+  template StateCheck check_state<D>(const Particles<D>&);                                                       \
+  template std::uint32_t worst_particle<D>(const Particles<D>&, const Motion<D>&);
 PF_INSTANTIATE(2)
 PF_INSTANTIATE(3)
 #undef PF_INSTANTIATE

@@ -16,13 +16,12 @@ Balance particle_balance(const Particles<D>& particles, const Laws<D>& laws, con
 template <int D>
 Vec3 grid_angular_momentum(const Plan<D>& plan, const Vector& u, double part, const Vector& momentum);
 
-/// Extremes that decide whether a state may stand.
-struct StateCheck {
-  bool finite = true;
-  double min_J = 1, max_J = 1, max_speed = 0;
-  std::uint32_t worst = 0;  ///< id of the particle with the smallest J, or of the first that is not finite
-};
+/// What `particles` are like.
 template <int D>
-StateCheck check_state(const Particles<D>& particles, const Motion<D>& moved);
+StateCheck check_state(const Particles<D>& particles);
+/// The id of the particle that is worst among those that have moved as `moved` says: the first that is not finite, or
+/// the one of the smallest J.
+template <int D>
+std::uint32_t worst_particle(const Particles<D>& particles, const Motion<D>& moved);
 
 }  // namespace pf

@@ -88,7 +88,7 @@ class SimulationOf final : public Simulation {
   void carry_acceleration();
   bool has_inertia(const StepChoice& choice) const;
   void tell_of_blend(const MassMatrix<D>& M, StepReport& report);
-  Attempt judge(const NewtonResult& newton, double dt, StepReport& report);
+  Attempt judge(const NewtonResult& newton, const StepChoice& choice, StepReport& report);
   void keep_grid(const FeasibleSet<D>& set);
   void guess_friction(FeasibleSet<D>& set) const;
   void keep_friction(const FeasibleSet<D>& set);
@@ -123,6 +123,7 @@ class SimulationOf final : public Simulation {
   Vector momentum_before_, momentum_after_;
   std::vector<RubbingNode<D>> rubbing_;  ///< of the last accepted step, by ascending index
   ElasticMemory elastic_memory_;         ///< tangents while a step is solved for, then what `moved_` points to
+  Particles<D> other_;                   ///< the same where steps are explicit
   Motion<D> moved_{};
   std::vector<std::uint32_t> probe_ids_;
 

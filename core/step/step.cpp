@@ -236,7 +236,7 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
   report.grab_force = spring ? spring->force(grid_.u).norm() : 0;
   lap(report.ms.diagnostics);
 
-  const Attempt verdict = judge(solved, dt, report);
+  const Attempt verdict = judge(solved, choice, report);
   if (verdict.outcome != Attempt::accepted) return verdict;
   lap(report.ms.update);
   loads_.surface().move(plan_, grid_.u);
@@ -255,7 +255,7 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
   keep_grid(set);
   keep_friction(set);
   carry_acceleration();
-  plan_.build(particles_, moved_, *find_basis(scene_.grid.basis), scene_.grid.spacing, parallel_);
+  plan_.follow(particles_, moved_, parallel_);
   lap(report.ms.sort);
   fill_diagnostics(report);
   report.angular.transfer =
@@ -270,7 +270,7 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
 }
 
 template <int D>
-typename SimulationOf<D>::Attempt SimulationOf<D>::judge(const NewtonResult& newton, double dt, StepReport& report) {
+typename SimulationOf<D>::Attempt SimulationOf<D>::judge(const NewtonResult& newton, const StepChoice& choice, StepReport& report) {
   if (newton.status != NewtonStatus::converged) {
     const std::string at =
         " (residual " + number(newton.residual) + ", tolerance " + number(scene_.solver.newton_tolerance) + ").";
@@ -287,23 +287,22 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::judge(const NewtonResult& new
     }
   }
   if (!grid_.u.allFinite() || !grid_.v_end.allFinite()) return {Attempt::failed, "The grid's motion is not finite."};
-  // The tangents have served: their memory takes the particles' new state until the next plan sorts it.
-  moved_ = apart<D>(particles_.size(), transfer_->affine(), elastic_memory_.tangents);
-  transfer_->grid_to_particles(plan_, grid_, particles_, parallel_, moved_);
-  move_particles(plan_, grid_.u, particles_, parallel_, moved_);
+  // Tangents have served: their memory takes the particles' new state. Where there were none there is a memory to exchange.
+  moved_ = choice.implicit ? apart<D>(particles_.size(), transfer_->affine(), elastic_memory_.tangents)
+                    : exchanged<D>(particles_, transfer_->affine(), other_);
+  if (!plan_.foresee(particles_, grid_.u, moved_, parallel_))
+    return {Attempt::failed, "Particles are too far apart for a grid to be laid, or have a place that is not finite."};
+  const StateCheck check = transfer_->grid_to_particles(plan_, grid_, particles_, parallel_, moved_);
   work_.g2p += particles_.size();
-  const StateCheck check = check_state(particles_, moved_);
-  const std::string who = "Particle " + std::to_string(check.worst);
-  if (!check.finite) return {Attempt::failed, who + " has a value that is not finite."};
-  if (!(check.min_J > 0)) return {Attempt::failed, who + " was turned inside out (J = " + number(check.min_J) + ")."};
+  const auto who = [&] { return "Particle " + std::to_string(worst_particle(particles_, moved_)); };
+  if (!check.finite) return {Attempt::failed, who() + " has a value that is not finite."};
+  if (!(check.min_J > 0)) return {Attempt::failed, who() + " was turned inside out (J = " + number(check.min_J) + ")."};
   report.min_J = check.min_J;
   report.max_J = check.max_J;
-  report.cfl = check.max_speed * dt / scene_.grid.spacing;
+  report.cfl = check.max_speed * choice.dt / scene_.grid.spacing;
   if (report.cfl > runaway_cells)
     return {Attempt::failed,
             "A particle runs away: " + number(check.max_speed) + " m/s, " + number(report.cfl) + " cells in one step."};
-  if (!plan_.can_index(particles_, moved_.x))
-    return {Attempt::failed, "Particles are too far apart for a grid to be laid."};
   return {};
 }
 
@@ -343,7 +342,7 @@ void SimulationOf<D>::fill_diagnostics(StepReport& report) const {
 
 template <int D>
 void SimulationOf<D>::describe_state(StepReport& report) {
-  const StateCheck check = check_state(particles_, in_place(particles_));
+  const StateCheck check = check_state(particles_);
   report.min_J = check.min_J;
   report.max_J = check.max_J;
   fill_diagnostics(report);

@@ -10,8 +10,8 @@ template <int D>
 class ApicTransfer final : public Transfer<D> {
  public:
   bool affine() const override { return true; }
-  void grid_to_particles(const Plan<D>& plan, const GridState<D>& grid, const Particles<D>& particles,
-                         Parallel& parallel, const Motion<D>& to) const override;
+  StateCheck grid_to_particles(const Plan<D>& plan, const GridState<D>& grid, const Particles<D>& particles,
+                               Parallel& parallel, const Motion<D>& to) const override;
 };
 
 }  // namespace pf

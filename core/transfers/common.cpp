@@ -178,35 +178,6 @@ void scatter_field(const Plan<D>& plan, const std::vector<Vec<D>>& values, Paral
 }
 
 template <int D>
-void move_particles(const Plan<D>& plan, const Vector& u, const Particles<D>& particles, Parallel& parallel,
-                    const Motion<D>& to) {
-  with_nodes_per_axis(plan, [&](auto k) {
-    constexpr int K = k;
-    using S = Stencil<D, K, D>;
-    for_each_block(plan, parallel, [&](const Block<D>& block, int) {
-      double local[S::nodes * D];
-      load_block<D, K, D>(plan, block, u.data(), local);
-      for (int i = block.batch_begin; i < block.batch_end; ++i) {
-        const Batch& batch = plan.batches()[at(i)];
-        Wide<lane_count<D>> room[2 * D * K];
-        const Wide<lane_count<D>>* const w = plan.weights(i, room);
-        Wide<lane_count<D>> value[D], gradient[D][D];
-        S::template gather<true, true>(local + batch.node * D, w, w + D * K, value, gradient);
-        Wide<lane_count<D>> x[D], F_hat[D * D], F_n[D * D], F[D * D];
-        load_lanes<D>(particles.x[at(batch.first)].data(), batch.count, x);
-        for (int a = 0; a < D; ++a) x[a] += value[a];
-        store_lanes<D>(x, batch.count, to.x[at(batch.first)].data());
-        for (int a = 0; a < D; ++a)
-          for (int b = 0; b < D; ++b) F_hat[a + D * b] = a == b ? gradient[a][b] + 1.0 : gradient[a][b];
-        load_lanes<D * D>(particles.F[at(batch.first)].data(), batch.count, F_n);
-        multiply_lanes<D>(F_hat, F_n, F);
-        store_lanes<D * D>(F, batch.count, to.F[at(batch.first)].data());
-      }
-    });
-  });
-}
-
-template <int D>
 Vec<D> affine_inertia(const BasisInfo& basis, double spacing, const Vec<D>& x) {
   if (basis.affine_by_moments) return Vec<D>::Constant(basis.moment * spacing * spacing);
   Vec<D> inertia = Vec<D>::Zero();
@@ -230,7 +201,6 @@ Vec<D> affine_inertia(const BasisInfo& basis, double spacing, const Vec<D>& x) {
   template void sharpen_velocity<D>(const MassMatrix<D>&, int, Vector&);                                            \
   template void gather_field<D>(const Plan<D>&, const Vector&, Parallel&, std::vector<Vec<D>>&);                    \
   template void scatter_field<D>(const Plan<D>&, const std::vector<Vec<D>>&, Parallel&, Vector&);                   \
-  template void move_particles<D>(const Plan<D>&, const Vector&, const Particles<D>&, Parallel&, const Motion<D>&); \
   template Vec<D> affine_inertia<D>(const BasisInfo&, double, const Vec<D>&);
 PF_INSTANTIATE(2)
 PF_INSTANTIATE(3)

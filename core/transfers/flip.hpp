@@ -12,8 +12,8 @@ class FlipTransfer final : public Transfer<D> {
  public:
   explicit FlipTransfer(double flip_ratio) : flip_ratio_(flip_ratio) {}
   bool affine() const override { return false; }
-  void grid_to_particles(const Plan<D>& plan, const GridState<D>& grid, const Particles<D>& particles,
-                         Parallel& parallel, const Motion<D>& to) const override;
+  StateCheck grid_to_particles(const Plan<D>& plan, const GridState<D>& grid, const Particles<D>& particles,
+                               Parallel& parallel, const Motion<D>& to) const override;
 
  private:
   double flip_ratio_;

@@ -12,9 +12,9 @@ class FmpmTransfer final : public Transfer<D> {
   explicit FmpmTransfer(int order) : order_(order) {}
   bool affine() const override { return false; }
   int order() const override { return order_; }
-  void grid_to_particles(const Plan<D>& plan, const GridState<D>& grid, const Particles<D>& particles,
-                         Parallel& parallel, const Motion<D>& to) const override {
-    FlipTransfer<D>(0).grid_to_particles(plan, grid, particles, parallel, to);
+  StateCheck grid_to_particles(const Plan<D>& plan, const GridState<D>& grid, const Particles<D>& particles,
+                               Parallel& parallel, const Motion<D>& to) const override {
+    return FlipTransfer<D>(0).grid_to_particles(plan, grid, particles, parallel, to);
   }
 
  private:

@@ -2,6 +2,7 @@
 // grid's velocity does to the particles' and back.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -24,6 +25,19 @@ struct GridState {
   Vector sums;      ///< momentum and mass as they are gathered, D + 1 a node
 };
 
+/// Extremes that decide whether a state may stand.
+struct StateCheck {
+  bool finite = true;
+  double min_J = 1, max_J = 1, max_speed = 0;
+
+  void include(const StateCheck& other) {
+    finite = finite && other.finite;
+    min_J = std::min(min_J, other.min_J);
+    max_J = std::max(max_J, other.max_J);
+    max_speed = std::max(max_speed, other.max_speed);
+  }
+};
+
 template <int D>
 class Transfer {
  public:
@@ -32,9 +46,10 @@ class Transfer {
   virtual bool affine() const = 0;
   /// Terms of the series for M^-1 by which momenta become node velocities (sharpen_velocity); 1: the lumped mass alone.
   virtual int order() const { return 1; }
-  /// The particles' velocities (and C) after the step; runs before positions move.
-  virtual void grid_to_particles(const Plan<D>& plan, const GridState<D>& grid, const Particles<D>& particles,
-                                 Parallel& parallel, const Motion<D>& to) const = 0;
+  /// The particles' v, C and F_p = (I + sum_j u_j (x) grad N_j) F_p^n after the step (THEORY T5), at their old positions:
+  /// to.x is left alone. What comes of it, if F is asked for.
+  virtual StateCheck grid_to_particles(const Plan<D>& plan, const GridState<D>& grid, const Particles<D>& particles,
+                                       Parallel& parallel, const Motion<D>& to) const = 0;
 };
 
 /// m_i and momentum; nodes that receive no mass get the mean velocity of the particles around them in `v` later.
@@ -52,10 +67,6 @@ void sharpen_velocity(const MassMatrix<D>& M, int order, Vector& v);
 /// values_p = sum_j N_j(x_p) field_j.
 template <int D>
 void gather_field(const Plan<D>& plan, const Vector& field, Parallel& parallel, std::vector<Vec<D>>& values);
-/// x_p += sum_j u_j N_j, F_p = (I + sum_j u_j (x) grad N_j) F_p (THEORY T5).
-template <int D>
-void move_particles(const Plan<D>& plan, const Vector& u, const Particles<D>& particles, Parallel& parallel,
-                    const Motion<D>& to);
 /// field_i += sum_p N_i(x_p) values_p.
 template <int D>
 void scatter_field(const Plan<D>& plan, const std::vector<Vec<D>>& values, Parallel& parallel, Vector& field);

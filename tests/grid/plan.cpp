@@ -149,18 +149,73 @@ void check_threads(const BasisInfo& basis) {
 template <int D>
 void check_refusals(const BasisInfo& basis) {
   Grid<D> grid(test::scattered<D>(20, dx, 1, 17), basis.name, dx);
-  CHECK(grid.plan.can_index(grid.particles, grid.particles.x.data()));
+  Scratch memory;
+  Motion<D> moved = apart<D>(grid.particles.size(), false, memory);
+  CHECK(grid.plan.foresee(grid.particles, Vector::Zero(grid.unknowns()), moved, grid.parallel));
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300, -1e300}) {
     Particles<D> particles = grid.particles;
     particles.x[7][D - 1] = bad;
-    CHECK_FALSE(grid.plan.can_index(particles, particles.x.data()));
+    CHECK_FALSE(grid.plan.foresee(grid.particles, Vector::Constant(grid.unknowns(), bad), moved, grid.parallel));
     Plan<D> plan;
     CHECK_FALSE(plan.build(particles, basis, dx, grid.parallel));
   }
 }
 
+/// Steps of `way` cells: what follow() makes of particles is what build() makes of them where they have come to.
+template <int D>
+void check_following(const BasisInfo& basis, double way, bool exchange, int threads) {
+  Grid<D> grid(test::scattered<D>(700, dx, 1.7, 41, 2), basis.name, dx, threads);
+  for (std::size_t p = 0; p < grid.particles.size(); ++p) grid.particles.X[p] = grid.particles.x[p] * 2;
+  Particles<D> other;
+  Scratch memory;
+  for (int step = 0; step < 5; ++step) {
+    const Particles<D> before = grid.particles;
+    test::Random random(static_cast<unsigned>(step) + 3);
+    const Vector u = Vector::Constant(grid.unknowns(), way * dx) + random.values(grid.unknowns(), way * dx);
+    Motion<D> moved = exchange ? exchanged<D>(before, true, other) : apart<D>(before.size(), true, memory);
+    REQUIRE(grid.plan.foresee(grid.particles, u, moved, grid.parallel));
+    Particles<D> expected = before;
+    for (std::size_t p = 0; p < before.size(); ++p) {
+      const std::size_t to = moved.place ? moved.place[p] : p;
+      expected.x[p] = moved.x[p];
+      moved.v[to] = expected.v[p] = before.v[p] + before.x[p];
+      moved.F[to] = expected.F[p] = before.F[p] * 1.5;
+      moved.C[to] = expected.C[p] = before.C[p] * 2;
+    }
+    CHECK(grid.particles.x == before.x);
+    grid.plan.follow(grid.particles, moved, grid.parallel);
+    Plan<D> plan;
+    Parallel one(1);
+    REQUIRE(plan.build(expected, basis, dx, one));
+    CHECK(grid.particles.id == expected.id);
+    CHECK(grid.particles.X == expected.X);
+    CHECK(grid.particles.x == expected.x);
+    CHECK(grid.particles.v == expected.v);
+    CHECK(grid.particles.F == expected.F);
+    CHECK(grid.particles.C == expected.C);
+    CHECK(grid.particles.mass == expected.mass);
+    CHECK(grid.particles.volume0 == expected.volume0);
+    CHECK(grid.particles.body == expected.body);
+    CHECK(grid.particles.material == expected.material);
+    CHECK(grid.plan.node_indices() == plan.node_indices());
+    CHECK(grid.plan.batches().size() == plan.batches().size());
+  }
+}
+
 }  // namespace
+
+TEST_CASE("particles that move come into the order that a new plan would give them") {
+  for (const BasisInfo& basis : bases())
+    for (const double way : {0.0, 1e-3, 0.05, 0.7, 9.0})  // nobody, few, many leave their cells; all leave the region
+      for (const bool exchange : {false, true}) {
+        CAPTURE(basis.name);
+        CAPTURE(way);
+        CAPTURE(exchange);
+        check_following<2>(basis, way, exchange, 1);
+        check_following<3>(basis, way, exchange, 3);
+      }
+}
 
 TEST_CASE("a plan couples every particle to the nodes of its support with the weights of the theory") {
   for (const BasisInfo& basis : bases()) {

@@ -1,6 +1,8 @@
 // What particle-grid transfers keep (THEORY T5, T6).
 #include <doctest/doctest.h>
 
+#include <map>
+
 #include "core/step/balance.hpp"
 #include "tests/numerics.hpp"
 
@@ -59,7 +61,8 @@ struct RoundTrip {
     grid.state.v_end = grid.state.v;
     before = balance();
     start = grid.particles;
-    transfer->grid_to_particles(grid.plan, grid.state, grid.particles, grid.parallel, in_place(grid.particles));
+    transfer->grid_to_particles(grid.plan, grid.state, grid.particles, grid.parallel,
+                                {nullptr, grid.particles.v.data(), nullptr, grid.particles.C.data()});
     after = balance();
   }
   Balance balance() {
@@ -205,13 +208,32 @@ TEST_CASE("moving particles along an affine field moves them and their F exactly
     const Particles<3> before = grid.particles;
     const Mat<3> A = Mat<3>::Identity() + test::Random(5).matrix<3>(0.2);
     const Vec<3> b(0.1, -0.2, 0.3);
-    Vector u(grid.unknowns());
+    Vector& u = grid.state.u;
+    u.resize(grid.unknowns());
     for (int i = 0; i < grid.plan.node_count(); ++i)
       u.segment<3>(i * 3) = (A - Mat<3>::Identity()) * grid.plan.node_position(i) + b;
-    move_particles(grid.plan, u, grid.particles, grid.parallel, in_place(grid.particles));
+    grid.state.v = grid.state.v_end = Vector::Zero(grid.unknowns());
+    Scratch memory;
+    Motion<3> moved = apart<3>(before.size(), false, memory);
+    REQUIRE(grid.plan.foresee(grid.particles, u, moved, grid.parallel));
+    const StateCheck check =
+        make_transfer<3>("flip", 0)->grid_to_particles(grid.plan, grid.state, grid.particles, grid.parallel, moved);
+    CHECK(grid.particles.x == before.x);
+    CHECK(grid.particles.F == before.F);
+    grid.plan.follow(grid.particles, moved, grid.parallel);
+    StateCheck expected{.min_J = INFINITY, .max_J = -INFINITY};
+    std::map<std::uint32_t, std::size_t> old;
+    for (std::size_t p = 0; p < before.size(); ++p) old[before.id[p]] = p;
     for (std::size_t p = 0; p < before.size(); ++p) {
-      CHECK((grid.particles.x[p] - (A * before.x[p] + b)).norm() < 1e-14);
-      CHECK((grid.particles.F[p] - A * before.F[p]).norm() < 1e-13);
+      const std::size_t q = old.at(grid.particles.id[p]);
+      CHECK((grid.particles.x[p] - (A * before.x[q] + b)).norm() < 1e-14);
+      CHECK((grid.particles.F[p] - A * before.F[q]).norm() < 1e-13);
+      const double J = grid.particles.F[p].determinant();
+      expected.include({true, J, J, 0});
     }
+    CHECK(check.finite);
+    CHECK(check.min_J == doctest::Approx(expected.min_J).epsilon(1e-13));
+    CHECK(check.max_J == doctest::Approx(expected.max_J).epsilon(1e-13));
+    CHECK(check.max_speed == 0);
   }
 }
