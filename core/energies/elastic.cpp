@@ -103,14 +103,17 @@ void ElasticEnergy<D>::batch_flux(const Batch& batch, const Mat<D>* stress, Wide
 }
 
 template <int D>
-void ElasticEnergy<D>::add_force_at_rest(Vector& g) {
+double ElasticEnergy<D>::sum_force_at_rest(Vector& g) {
+  memory_.block_sum.resize(plan_.blocks().size());
   with_nodes_per_axis(plan_, [&](auto k) {
     constexpr int K = k;
     using S = Stencil<D, K, D>;
-    for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int) {
+    for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int b) {
       double local[S::nodes * D] = {};
+      double energy = 0;
       for_each_chunk(plan_, block, [&](Chunk& chunk) {
         chunk_stress(block, particles_.F.data() + chunk.begin, chunk);
+        energy += chunk_energy(chunk);
         for (int i = chunk.batch_begin; i < chunk.batch_end; ++i) {
           const Batch& batch = plan_.batches()[index(i)];
           Wide<W> room[2 * D * K];
@@ -120,9 +123,27 @@ void ElasticEnergy<D>::add_force_at_rest(Vector& g) {
           S::template scatter<false, true>(nullptr, flux, w, w + D * K, local + batch.node * D);
         }
       });
+      memory_.block_sum[index(b)] = energy;
       add_block<D, K, D>(plan_, block, local, g.data());
     });
   });
+  return ordered_sum();
+}
+
+template <int D>
+double ElasticEnergy<D>::find_rest() {
+  memory_.rest_force.setZero(static_cast<Eigen::Index>(plan_.node_count()) * D);
+  memory_.rest_energy = sum_force_at_rest(memory_.rest_force);
+  memory_.rest_plan = plan_.made();
+  return memory_.rest_energy;
+}
+
+template <int D>
+void ElasticEnergy<D>::add_force_at_rest(Vector& g) {
+  if (memory_.rest_plan == plan_.made())
+    g += memory_.rest_force;
+  else
+    sum_force_at_rest(g);
   work_.gradient += particles_.size();
 }
 

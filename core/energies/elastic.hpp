@@ -24,6 +24,10 @@ struct ElasticChunk;
 struct ElasticMemory {
   Scratch tangents;
   std::vector<double> block_sum;
+  // Of particles as they are, by find_rest().
+  Vector rest_force;
+  double rest_energy = 0;
+  std::int64_t rest_plan = -1;  ///< Plan::made() that they belong to
 };
 
 template <int D>
@@ -47,8 +51,12 @@ class ElasticEnergy final : public Energy<D> {
   void assemble(BlockMatrix<D>& H) override;
   bool assemble_stencil(StencilMatrix<D>& H, const std::vector<std::int32_t>& row_of) override;
 
-  /// g += dE/du at u = 0, where F_p = F_p^n: nothing is gathered. What an explicit step needs.
+  /// g += dE/du at u = 0, where F_p = F_p^n: nothing is gathered. What an explicit step needs. As found before, if it
+  /// was.
   void add_force_at_rest(Vector& g);
+  /// Keeps that force for the next add_force_at_rest: what an explicit step's report needs, the energy, and what the
+  /// next one begins with come of the same stresses. Returns E at u = 0.
+  double find_rest();
   /// F_p(x^), a particle each.
   std::vector<Mat<D>> deformed(const Vector& u) const;
 
@@ -73,6 +81,7 @@ class ElasticEnergy final : public Energy<D> {
   void batch_flux(const Batch& batch, const Mat<D>* stress, Wide<W> (*flux)[D]) const;
   void chunk_tangents(const Block<D>& block, const Chunk& chunk, bool project);
   double ordered_sum() const;
+  double sum_force_at_rest(Vector& g);
 
   const Plan<D>& plan_;
   const Particles<D>& particles_;

@@ -95,6 +95,9 @@ std::array<int, 1 << D> neighbours(const std::vector<NodeBlock<D>>& node_blocks,
   return found;
 }
 
+/// Nodes of a block's lattice, for the most that a basis has.
+constexpr int most_edge = block_edge + max_nodes_per_axis - 1, most_table = most_edge * most_edge * most_edge;
+
 /// Splits a node of a block's lattice into node block (of the 2^D) and slot in it (of the 4^D).
 template <int D>
 std::pair<int, int> split(int node, int edge_nodes) {
@@ -119,6 +122,8 @@ void Plan<D>::number_nodes() {
   node_of_.assign(blocks_.size() * static_cast<std::size_t>(table_size), -1);
   std::vector<std::array<int, 1 << D>>& around = around_;
   around.resize(blocks_.size());
+  std::array<std::pair<int, int>, most_table> parts;
+  for (int i = 0; i < table_size; ++i) parts[static_cast<std::size_t>(i)] = split<D>(i, edge_nodes);
   // Mark.
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     Block<D>& block = blocks_[b];
@@ -136,7 +141,7 @@ void Plan<D>::number_nodes() {
     }
     for (int i = 0; i < table_size; ++i)
       if (table[i] == 0) {
-        const auto [which, slot] = split<D>(i, edge_nodes);
+        const auto [which, slot] = parts[static_cast<std::size_t>(i)];
         node_blocks[static_cast<std::size_t>(around[b][static_cast<std::size_t>(which)])].active |= 1ull << slot;
       }
   }
@@ -158,7 +163,7 @@ void Plan<D>::number_nodes() {
     std::int32_t* table = node_of_.data() + blocks_[b].nodes;
     for (int i = 0; i < table_size; ++i) {
       if (table[i] < 0) continue;
-      const auto [which, slot] = split<D>(i, edge_nodes);
+      const auto [which, slot] = parts[static_cast<std::size_t>(i)];
       const NodeBlock<D>& nb = node_blocks[static_cast<std::size_t>(around[b][static_cast<std::size_t>(which)])];
       table[i] = nb.first + std::popcount(nb.active & ((1ull << slot) - 1));
     }
@@ -203,6 +208,7 @@ void Plan<D>::place(const Particles<D>& particles, Parallel& parallel) {
 
 template <int D>
 void Plan<D>::make_tables(const Particles<D>& particles, Parallel& parallel) {
+  ++made_;
   make_blocks(particles);
   number_nodes();
   place(particles, parallel);

@@ -56,12 +56,14 @@ class Plan {
   /// weights. False when a position is not finite or the particles are too far apart to be indexed.
   bool build(Particles<D>& particles, const BasisInfo& basis, double spacing, Parallel& parallel);
 
-  /// Before the particles move with the nodes: to.x becomes x_p + sum_j u_j N_j(x_p) (THEORY T5), to.place the order that
-  /// follow() will put them in, null if it is the present one. The plan stays what it is. False as of build().
+  /// Before the particles move with the nodes: to.x becomes x_p + sum_j u_j N_j(x_p) (THEORY T5), to.place the order
+  /// that follow() will put them in, null if it is the present one. The plan stays what it is. False as of build().
   bool foresee(const Particles<D>& particles, const Vector& u, Motion<D>& to, Parallel& parallel);
   /// The plan of particles that have moved as foreseen: they become what `moved` holds, in the order foreseen.
   void follow(Particles<D>& particles, const Motion<D>& moved, Parallel& parallel);
 
+  /// How many plans have been made of this object: what belongs to one belongs to no other.
+  std::int64_t made() const { return made_; }
   int nodes_per_axis() const { return basis_->nodes_per_axis; }
   const BasisInfo& basis() const { return *basis_; }
   double spacing() const { return spacing_; }
@@ -120,6 +122,7 @@ class Plan {
   const BasisInfo* basis_ = nullptr;
   double spacing_ = 0, inverse_spacing_ = 0;
   int node_count_ = 0;
+  std::int64_t made_ = 0;
   std::vector<std::array<long long, D>> index_;
   std::vector<NodeBlock<D>> node_blocks_;        ///< sorted by corner
   std::vector<std::array<int, 1 << D>> around_;  ///< each block's node blocks

@@ -96,9 +96,9 @@ void Plan<D>::follow(Particles<D>& particles, const Motion<D>& moved, Parallel& 
   make_tables(particles, parallel);
 }
 
-#define PF_INSTANTIATE(D)                                                                             \
-  template bool Plan<D>::foresee(const Particles<D>&, const Vector&, Motion<D>&, Parallel&);          \
-  template bool Plan<D>::order_movers();                                                              \
+#define PF_INSTANTIATE(D)                                                                    \
+  template bool Plan<D>::foresee(const Particles<D>&, const Vector&, Motion<D>&, Parallel&); \
+  template bool Plan<D>::order_movers();                                                     \
   template void Plan<D>::follow(Particles<D>&, const Motion<D>&, Parallel&);
 PF_INSTANTIATE(2)
 PF_INSTANTIATE(3)

@@ -58,8 +58,9 @@ struct Stencil {
     }
   }
 
-  /// out_ic += sum over lanes of N_i value[c] + sum_b dN_i/dx_b flux[c][b]; Value, Flux say which terms there are.
-  template <bool Value, bool Flux>
+  /// out_ic += sum over lanes of N_i value[c] + sum_b dN_i/dx_b flux[c][b]; Value, Flux say which terms there are. The
+  /// last `plain` components have no flux.
+  template <bool Value, bool Flux, int plain = 0>
   static inline __attribute__((always_inline)) void scatter(const Lane* value, const Lane (*flux)[D], const Lane* N,
                                                             const Lane* dN, double* out) {
     // A row of nodes is contiguous. What does not fill a multiple of four is summed when there is enough of it.
@@ -72,14 +73,14 @@ struct Stencil {
         if constexpr (D == 3) {
           a[c] = Lane{};
           if constexpr (Value) a[c] += N[2 * K + k] * value[c];
-          if constexpr (Flux) {
+          if (Flux && c < C - plain) {
             a[c] += dN[2 * K + k] * flux[c][2];
             fx[c] = N[2 * K + k] * flux[c][0];
             fy[c] = N[2 * K + k] * flux[c][1];
           }
         } else {
           a[c] = Value ? value[c] : Lane{};
-          if constexpr (Flux) {
+          if (Flux && c < C - plain) {
             fx[c] = flux[c][0];
             fy[c] = flux[c][1];
           }
@@ -90,13 +91,13 @@ struct Stencil {
         Lane row[K * C];
         for (int c = 0; c < C; ++c) {
           Lane b = N[K + j] * a[c], bx{};
-          if constexpr (Flux) {
+          if (Flux && c < C - plain) {
             b += dN[K + j] * fy[c];
             bx = N[K + j] * fx[c];
           }
           for (int i = 0; i < K; ++i) {
             row[i * C + c] = N[i] * b;
-            if constexpr (Flux) row[i * C + c] += dN[i] * bx;
+            if (Flux && c < C - plain) row[i * C + c] += dN[i] * bx;
           }
         }
         if constexpr (whole > 0) add_lane_sums<whole>(row, out + edge * (j + edge * k) * C);

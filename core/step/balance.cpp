@@ -29,7 +29,7 @@ class LaneBalance {
   LaneBalance(const Particles<D>& particles, const Plan<D>& plan, bool affine, const Vec<D>& gravity)
       : particles_(particles), plan_(plan), affine_(affine), gravity_(gravity) {}
 
-  /// `count` particles from p on; psi of the first.
+  /// `count` particles from p on; psi of the first, or null.
   void add(std::size_t p, int count, const double* psi) {
     const auto m = load_lane<Lane>(particles_.mass.data() + p, count);
     Lane x[D], v[D], mv[D], square{}, height{};
@@ -41,7 +41,7 @@ class LaneBalance {
       height += gravity_[a] * x[a];
       momentum_[a] += mv[a];
     }
-    elastic_ += load_lane<Lane>(particles_.volume0.data() + p, count) * load_lane<Lane>(psi, count);
+    if (psi) elastic_ += load_lane<Lane>(particles_.volume0.data() + p, count) * load_lane<Lane>(psi, count);
     potential_ -= m * height;
     for (std::size_t k = 0; k < turns; ++k) {
       const auto [a, b] = axes(k);
@@ -106,17 +106,18 @@ class LaneBalance {
 
 template <int D>
 Balance block_balance(const Particles<D>& particles, const Laws<D>& laws, const Plan<D>& plan, const Block<D>& block,
-                      bool affine, const Vec<D>& gravity) {
+                      bool affine, const Vec<D>& gravity, bool elastic) {
   LaneBalance<D> balance(particles, plan, affine, gravity);
   double psi[longest_run];
   for (int r = block.run_begin; r < block.run_end; ++r) {
     const MaterialRun& run = plan.runs()[static_cast<std::size_t>(r)];
     const int n = run.end - run.begin;
     const auto begin = static_cast<std::size_t>(run.begin);
-    laws[run.material]->energy({particles.F.data() + begin, static_cast<std::size_t>(n)},
-                               {psi, static_cast<std::size_t>(n)});
+    if (elastic)
+      laws[run.material]->energy({particles.F.data() + begin, static_cast<std::size_t>(n)},
+                                 {psi, static_cast<std::size_t>(n)});
     for (int k = 0; k < n; k += lane_count<D>)
-      balance.add(begin + static_cast<std::size_t>(k), std::min(lane_count<D>, n - k), psi + k);
+      balance.add(begin + static_cast<std::size_t>(k), std::min(lane_count<D>, n - k), elastic ? psi + k : nullptr);
   }
   return balance.sum();
 }
@@ -125,7 +126,7 @@ Balance block_balance(const Particles<D>& particles, const Laws<D>& laws, const 
 
 template <int D>
 Balance particle_balance(const Particles<D>& particles, const Laws<D>& laws, const Plan<D>& plan, bool affine,
-                         const Vec<D>& gravity, Parallel& parallel) {
+                         const Vec<D>& gravity, Parallel& parallel, const double* elastic) {
   constexpr std::size_t together = 256;
   std::array<Balance, together> parts;
   Balance sum;
@@ -133,7 +134,7 @@ Balance particle_balance(const Particles<D>& particles, const Laws<D>& laws, con
     const std::size_t count = std::min(together, plan.blocks().size() - first);
     parallel(static_cast<int>(count), [&](int k) {
       const auto i = static_cast<std::size_t>(k);
-      parts[i] = block_balance(particles, laws, plan, plan.blocks()[first + i], affine, gravity);
+      parts[i] = block_balance(particles, laws, plan, plan.blocks()[first + i], affine, gravity, !elastic);
     });
     for (std::size_t i = 0; i < count; ++i) {
       sum.kinetic += parts[i].kinetic;
@@ -143,6 +144,7 @@ Balance particle_balance(const Particles<D>& particles, const Laws<D>& laws, con
       sum.angular_momentum += parts[i].angular_momentum;
     }
   }
+  if (elastic) sum.elastic = *elastic;
   return sum;
 }
 
@@ -181,7 +183,7 @@ std::uint32_t worst_particle(const Particles<D>& particles, const Motion<D>& mov
 
 #define PF_INSTANTIATE(D)                                                                                        \
   template Balance particle_balance<D>(const Particles<D>&, const Laws<D>&, const Plan<D>&, bool, const Vec<D>&, \
-                                       Parallel&);                                                               \
+                                       Parallel&, const double*);                                                \
   template Vec3 grid_angular_momentum<D>(const Plan<D>&, const Vector&, double, const Vector&);                  \
   template StateCheck check_state<D>(const Particles<D>&);                                                       \
   template std::uint32_t worst_particle<D>(const Particles<D>&, const Motion<D>&);

@@ -8,10 +8,10 @@
 
 namespace pf {
 
-/// Sums over particles; `affine`: the particles' C takes part (APIC).
+/// Sums over particles; `affine`: the particles' C takes part (APIC). `elastic`: the elastic energy, where it is known.
 template <int D>
 Balance particle_balance(const Particles<D>& particles, const Laws<D>& laws, const Plan<D>& plan, bool affine,
-                         const Vec<D>& gravity, Parallel& parallel);
+                         const Vec<D>& gravity, Parallel& parallel, const double* elastic = nullptr);
 /// sum_i x_i x p_i about the origin, p_i a momentum a node at positions x_i + part u_i.
 template <int D>
 Vec3 grid_angular_momentum(const Plan<D>& plan, const Vector& u, double part, const Vector& momentum);

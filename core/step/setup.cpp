@@ -93,6 +93,7 @@ void SimulationOf<D>::add_body(std::size_t index) {
 template <int D>
 void SimulationOf<D>::make_settings() {
   laws_.clear();
+  elastic_memory_.rest_plan = -1;
   for (const Material& material : scene_.materials) laws_.push_back(law_of<D>(material));
   // A velocity that is only reported is the way over dt, whatever the transfer.
   const bool inertia = find_integrator(scene_.integrator.type)->inertia;

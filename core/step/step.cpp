@@ -257,6 +257,8 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
   carry_acceleration();
   plan_.follow(particles_, moved_, parallel_);
   lap(report.ms.sort);
+  if (!choice.implicit) elastic.find_rest();
+  lap(report.ms.linear_solve);
   fill_diagnostics(report);
   report.angular.transfer =
       (L_before - accepted_.balance.angular_momentum) + (report.balance.angular_momentum - L_after);
@@ -270,7 +272,8 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
 }
 
 template <int D>
-typename SimulationOf<D>::Attempt SimulationOf<D>::judge(const NewtonResult& newton, const StepChoice& choice, StepReport& report) {
+typename SimulationOf<D>::Attempt SimulationOf<D>::judge(const NewtonResult& newton, const StepChoice& choice,
+                                                         StepReport& report) {
   if (newton.status != NewtonStatus::converged) {
     const std::string at =
         " (residual " + number(newton.residual) + ", tolerance " + number(scene_.solver.newton_tolerance) + ").";
@@ -287,9 +290,10 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::judge(const NewtonResult& new
     }
   }
   if (!grid_.u.allFinite() || !grid_.v_end.allFinite()) return {Attempt::failed, "The grid's motion is not finite."};
-  // Tangents have served: their memory takes the particles' new state. Where there were none there is a memory to exchange.
+  // Tangents have served: their memory takes the particles' new state. Where there were none there is a memory to
+  // exchange.
   moved_ = choice.implicit ? apart<D>(particles_.size(), transfer_->affine(), elastic_memory_.tangents)
-                    : exchanged<D>(particles_, transfer_->affine(), other_);
+                           : exchanged<D>(particles_, transfer_->affine(), other_);
   if (!plan_.foresee(particles_, grid_.u, moved_, parallel_))
     return {Attempt::failed, "Particles are too far apart for a grid to be laid, or have a place that is not finite."};
   const StateCheck check = transfer_->grid_to_particles(plan_, grid_, particles_, parallel_, moved_);
@@ -334,7 +338,9 @@ void SimulationOf<D>::keep_friction(const FeasibleSet<D>& set) {
 template <int D>
 void SimulationOf<D>::fill_diagnostics(StepReport& report) const {
   report.time = time_;
-  report.balance = particle_balance<D>(particles_, laws_, plan_, transfer_->affine(), loads_.gravity(), parallel_);
+  const bool known_energy = elastic_memory_.rest_plan == plan_.made();
+  report.balance = particle_balance<D>(particles_, laws_, plan_, transfer_->affine(), loads_.gravity(), parallel_,
+                                       known_energy ? &elastic_memory_.rest_energy : nullptr);
   if (!find_integrator(scene_.integrator.type)->inertia) report.balance.kinetic = 0;
   if (report.step == 0) report.active_nodes = plan_.node_count();
   if (known_.known()) report.error = known_.errors(particles_, time_, parallel_);

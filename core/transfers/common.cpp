@@ -46,7 +46,7 @@ void particles_to_grid(const Plan<D>& plan, const Particles<D>& particles, bool 
         Wide<lane_count<D>> room[2 * D * K];
         const Wide<lane_count<D>>* const w = plan.weights(i, room);
         using Lane = Wide<lane_count<D>>;
-        Lane value[C], flux[C][D] = {};
+        Lane value[C], flux[D][D];
         const Lane m = value[D] = load_lane<Lane>(particles.mass.data() + batch.first, batch.count);
         load_lanes<D>(particles.v[at(batch.first)].data(), batch.count, value);
         for (int a = 0; a < D; ++a) value[a] *= m;
@@ -57,7 +57,7 @@ void particles_to_grid(const Plan<D>& plan, const Particles<D>& particles, bool 
             for (int b = 0; b < D; ++b) flux[a][b] = m * affine_velocity[a + D * b];
           Wide<lane_count<D>> moments[D * K];
           moment_weights<D, K>(plan, particles, block, batch, w, moments);
-          S::template scatter<true, true>(value, flux, w, moments, local + batch.node * C);
+          S::template scatter<true, true, 1>(value, flux, w, moments, local + batch.node * C);
         } else {
           S::template scatter<true, false>(value, nullptr, w, w, local + batch.node * C);
         }
@@ -195,12 +195,12 @@ Vec<D> affine_inertia(const BasisInfo& basis, double spacing, const Vec<D>& x) {
 }
 
 // NOLINTBEGIN(bugprone-macro-parentheses): D is a template argument.
-#define PF_INSTANTIATE(D)                                                                                           \
-  template void particles_to_grid<D>(const Plan<D>&, const Particles<D>&, bool, Parallel&, GridState<D>&);          \
-  template void lumped_velocity<D>(const Plan<D>&, const Particles<D>&, GridState<D>&);                             \
-  template void sharpen_velocity<D>(const MassMatrix<D>&, int, Vector&);                                            \
-  template void gather_field<D>(const Plan<D>&, const Vector&, Parallel&, std::vector<Vec<D>>&);                    \
-  template void scatter_field<D>(const Plan<D>&, const std::vector<Vec<D>>&, Parallel&, Vector&);                   \
+#define PF_INSTANTIATE(D)                                                                                  \
+  template void particles_to_grid<D>(const Plan<D>&, const Particles<D>&, bool, Parallel&, GridState<D>&); \
+  template void lumped_velocity<D>(const Plan<D>&, const Particles<D>&, GridState<D>&);                    \
+  template void sharpen_velocity<D>(const MassMatrix<D>&, int, Vector&);                                   \
+  template void gather_field<D>(const Plan<D>&, const Vector&, Parallel&, std::vector<Vec<D>>&);           \
+  template void scatter_field<D>(const Plan<D>&, const std::vector<Vec<D>>&, Parallel&, Vector&);          \
   template Vec<D> affine_inertia<D>(const BasisInfo&, double, const Vec<D>&);
 PF_INSTANTIATE(2)
 PF_INSTANTIATE(3)

@@ -1,5 +1,5 @@
-// Particles ride the grid's motion (THEORY T5): what a step changes of them, in one pass. A transfer says what becomes of
-// velocities; F follows the displacement for all.
+// Particles ride the grid's motion (THEORY T5): what a step changes of them, in one pass. A transfer says what becomes
+// of velocities; F follows the displacement for all.
 #pragma once
 
 #include <algorithm>
@@ -60,8 +60,9 @@ double* records(T* first) {
   return reinterpret_cast<double*>(first);
 }
 
-/// `Velocities` has, for K nodes an axis, load<K>(plan, block, grid, nodes), which fills D numbers for each node of a block,
-/// and ride<K>(batch, nodes, v, C), which makes the new velocities of them and, if it is `affine`, C (entry a + D b).
+/// `Velocities` has, for K nodes an axis, load<K>(plan, block, grid, nodes), which fills D numbers for each node of a
+/// block, and ride<K>(batch, nodes, v, C), which makes the new velocities of them and, if it is `affine`, C (entry a +
+/// D b).
 template <int D, class Velocities>
 StateCheck ride(const Plan<D>& plan, const GridState<D>& grid, const Particles<D>& particles, Parallel& parallel,
                 const Motion<D>& to, const Velocities& velocities) {

@@ -46,8 +46,8 @@ class Transfer {
   virtual bool affine() const = 0;
   /// Terms of the series for M^-1 by which momenta become node velocities (sharpen_velocity); 1: the lumped mass alone.
   virtual int order() const { return 1; }
-  /// The particles' v, C and F_p = (I + sum_j u_j (x) grad N_j) F_p^n after the step (THEORY T5), at their old positions:
-  /// to.x is left alone. What comes of it, if F is asked for.
+  /// The particles' v, C and F_p = (I + sum_j u_j (x) grad N_j) F_p^n after the step (THEORY T5), at their old
+  /// positions: to.x is left alone. What comes of it, if F is asked for.
   virtual StateCheck grid_to_particles(const Plan<D>& plan, const GridState<D>& grid, const Particles<D>& particles,
                                        Parallel& parallel, const Motion<D>& to) const = 0;
 };
