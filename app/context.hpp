@@ -31,6 +31,7 @@ struct ViewState {
   bool show_bent_grid = false;     ///< images of the grid lines under phi^
   double bent_magnification = 1;
   bool show_boundaries = true;
+  bool show_shapes = false;  ///< the shape functions about the point under the mouse
   Theme theme = Theme::dark;
   float ui_scale = 1;
   bool hide_panels = false;  ///< Tab
@@ -45,6 +46,8 @@ struct RunHistory {
 
 struct PanelMemory;  // app/panels/memory.hpp
 struct StudyDesk;    // app/studies/desk.hpp
+class StepPlayer;    // app/inside/step_player.hpp
+class LessonDesk;    // app/lessons/desk.hpp
 
 struct AppContext {
   explicit AppContext(Session& of) : session(of) {}
@@ -65,7 +68,13 @@ struct AppContext {
   std::deque<RunHistory> pinned;
   std::optional<std::uint32_t> selected_particle;
   std::optional<ParticleState> inspected;
-  std::vector<Problem> problems;  ///< of the last refused edit or scene file, shown with their pointers
+  std::optional<NodeIndex> selected_node;
+  std::optional<Look> looked;                ///< at the selected particle and node, at the newest state
+  std::shared_ptr<const StepRecord> record;  ///< of the newest step, where it was asked for
+  bool wants_record = false;                 ///< some panel of this frame shows where residuals are
+  std::shared_ptr<StepPlayer> slow;          ///< one step played slowly; null: none
+  std::shared_ptr<LessonDesk> lesson;        ///< null: no lesson was opened yet
+  std::vector<Problem> problems;             ///< of the last refused edit or scene file, shown with their pointers
   std::string problems_source;
 
   // Actions, supplied by the window.
@@ -79,6 +88,8 @@ struct AppContext {
   std::function<void(FileDialog::Request)> ask_file;
   std::function<void()> wake;  ///< draw a frame soon; from any thread
   std::function<void()> ask_open, ask_save_as, save, undo, redo, fit_view, save_picture, pin;
+  /// Shows a plot of the drawer by its title.
+  std::function<void(const std::string&)> show_plot;
   std::function<void(const std::string&)> notify;  ///< a short message at the window's edge
 
   /// What panels and tools remember between frames (open panel, half-typed values, gallery); made by the first one.

@@ -62,8 +62,14 @@ void Session::set_grab(const std::optional<Grab>& grab) {
 void Session::request(const SnapshotRequest& what) {
   worker_->send(command::Look{what}, false);
 }
-void Session::ask_particle(std::uint32_t id) {
-  worker_->send(command::Ask{id}, false);
+void Session::look(const LookQuestion& question) {
+  worker_->send(command::Ask{question}, false);
+}
+void Session::watch(RecordLevel level) {
+  worker_->send(command::Watch{level}, false);
+}
+void Session::take_apart() {
+  worker_->send(command::TakeApart{}, true);
 }
 
 void Session::set_wake(std::function<void()> wake) {
@@ -107,9 +113,19 @@ std::string Session::recording_warning() const {
              : std::string{};
 }
 
-std::optional<ParticleState> Session::answered_particle() {
+std::optional<Look> Session::looked() {
   const std::lock_guard lock(worker_->mutex);
   return std::exchange(worker_->answer, std::nullopt);
+}
+
+std::shared_ptr<const StepRecord> Session::record() const {
+  const std::lock_guard lock(worker_->mutex);
+  return worker_->record;
+}
+
+std::optional<ApartStep> Session::taken_apart() {
+  const std::lock_guard lock(worker_->mutex);
+  return std::exchange(worker_->apart, std::nullopt);
 }
 
 }  // namespace pf::app

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/look.hpp"
 #include "core/scene/scene.hpp"
 #include "core/scene/scene_io.hpp"
 #include "core/simulation.hpp"
@@ -43,6 +44,12 @@ struct SessionStatus {
 struct HistorySample {
   std::uint64_t run = 0;
   StepReport report;
+};
+
+/// One step as it was made, to be looked at slowly.
+struct ApartStep {
+  std::shared_ptr<const Snapshot> before, after;  ///< with the same fields
+  std::shared_ptr<const StepRecord> record;       ///< at RecordLevel::all
 };
 
 /// How the worker comes by a Simulation; make_simulation but in tests.
@@ -85,8 +92,15 @@ class Session {
   /// Empty, or why recorded() does not replay this run: the mouse pulled at the material.
   std::string recording_warning() const;
   /// The inspector's question; answered by a later call, when the worker is between steps.
-  void ask_particle(std::uint32_t id);
-  std::optional<ParticleState> answered_particle();
+  void look(const LookQuestion& question);
+  std::optional<Look> looked();
+  /// What is kept of each step, for record(); takes effect from the next step on.
+  void watch(RecordLevel level);
+  /// Of the newest accepted step; null where nothing was kept.
+  std::shared_ptr<const StepRecord> record() const;
+  /// Pauses, and makes one step that is recorded in full; taken_apart() has it when it was accepted.
+  void take_apart();
+  std::optional<ApartStep> taken_apart();
 
  private:
   struct Worker;

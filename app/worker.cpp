@@ -15,7 +15,7 @@ constexpr std::chrono::microseconds frame_time{16'600};
 template <typename T>
 constexpr bool coalesces =
     std::is_same_v<T, command::EditTo> || std::is_same_v<T, command::Rate> || std::is_same_v<T, command::Hold> ||
-    std::is_same_v<T, command::Look> || std::is_same_v<T, command::Ask>;
+    std::is_same_v<T, command::Look> || std::is_same_v<T, command::Ask> || std::is_same_v<T, command::Watch>;
 
 double milliseconds(Pacer::Clock::duration d) {
   return std::chrono::duration<double, std::milli>(d).count();
@@ -148,6 +148,7 @@ void Session::Worker::accept(const StepReport& report, double step_ms) {
     status.step_ms = status.step_ms > 0 ? 0.8 * status.step_ms + 0.2 * step_ms : step_ms;
     if (!report.warnings.empty()) status.message = report.warnings.back();
     history.push_back({status.run, report});
+    record = simulation_->record();
     if (grabbed_) recording.note_grab();
   }
   if (state_ != RunState::running || now >= published_ + frame_time) publish();
@@ -182,6 +183,7 @@ void Session::Worker::build(const Scene& scene, bool run, bool announce) {
   std::string failure;
   try {
     simulation_ = factory_(scene, options_);
+    simulation_->set_recording(watch_);
     events_.emplace(scene);
     apply_events();
     apply_end();
@@ -201,6 +203,8 @@ void Session::Worker::build(const Scene& scene, bool run, bool announce) {
     fresh.edit.needs_reset = false;
     status = fresh;
     recording.begin(scene);
+    record.reset();
+    apart.reset();
     if (simulation_) {
       status.time = simulation_->time();
       status.solver_choice = simulation_->solver_choice();
@@ -353,11 +357,36 @@ void Session::Worker::handle(const command::Look& look) {
 }
 
 void Session::Worker::handle(const command::Ask& ask) {
-  if (!simulation_ || ask.id >= simulation_->particle_count()) return;
-  const ParticleState found = simulation_->particle(ask.id);
+  if (!simulation_) return;
+  LookQuestion question = ask.question;
+  if (question.particle && *question.particle >= simulation_->particle_count()) question.particle.reset();
+  pf::Look found = simulation_->look(question);
   {
     const std::lock_guard lock(mutex);
-    answer = found;
+    answer = std::move(found);
+  }
+  call_window();
+}
+
+void Session::Worker::handle(const command::Watch& watch) {
+  watch_ = watch.level;
+  if (simulation_) simulation_->set_recording(watch_);
+}
+
+void Session::Worker::handle(const command::TakeApart&) {
+  if (!simulation_ || state_ == RunState::loading || state_ == RunState::finished || suspended_) return;
+  set_state(RunState::paused);
+  single_steps_ = 0;
+  const std::shared_ptr<Snapshot> before = pool_.take();
+  simulation_->capture(request_, *before);
+  simulation_->set_recording(RecordLevel::all);
+  take_step();
+  simulation_->set_recording(watch_);
+  const std::shared_ptr<const StepRecord> made = simulation_->record();
+  if (!made || !made->accepted) return;
+  {
+    const std::lock_guard lock(mutex);
+    apart = ApartStep{before, newest, made};
   }
   call_window();
 }

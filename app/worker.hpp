@@ -44,9 +44,14 @@ struct Look {
   SnapshotRequest request;
 };
 struct Ask {
-  std::uint32_t id;
+  LookQuestion question;
 };
-using Any = std::variant<Open, Run, Pause, StepOnce, Reset, EditTo, Suspend, Rate, End, Hold, Look, Ask>;
+struct Watch {
+  RecordLevel level;
+};
+struct TakeApart {};
+using Any =
+    std::variant<Open, Run, Pause, StepOnce, Reset, EditTo, Suspend, Rate, End, Hold, Look, Ask, Watch, TakeApart>;
 }  // namespace command
 
 struct Session::Worker {
@@ -65,7 +70,9 @@ struct Session::Worker {
   SessionStatus status;
   std::shared_ptr<const Snapshot> newest;
   std::vector<HistorySample> history;
-  std::optional<ParticleState> answer;
+  std::optional<pf::Look> answer;
+  std::shared_ptr<const StepRecord> record;
+  std::optional<ApartStep> apart;
   Recording recording;
   std::function<void()> wake;
   std::atomic<bool> cancel{false};
@@ -112,6 +119,8 @@ struct Session::Worker {
   void handle(const command::Hold& hold);
   void handle(const command::Look& look);
   void handle(const command::Ask& ask);
+  void handle(const command::Watch& watch);
+  void handle(const command::TakeApart&);
   /// Applies what differs between the scene last edited and `scene` and is live. Returns what was applied.
   std::vector<Edit> apply_live(const Scene& scene);
   bool try_apply(const std::vector<Edit>& changes);
@@ -131,6 +140,7 @@ struct Session::Worker {
   int single_steps_ = 0;
   bool grabbed_ = false;
   SnapshotRequest request_;
+  RecordLevel watch_ = RecordLevel::none;
   SnapshotPool pool_;
   bool stale_ = false;  ///< the newest state was not published yet
   Clock::time_point published_{};

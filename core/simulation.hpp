@@ -11,6 +11,7 @@
 
 #include "core/scene/scene.hpp"
 #include "core/snapshot.hpp"
+#include "core/step_record.hpp"
 #include "core/step_report.hpp"
 
 namespace pf {
@@ -46,6 +47,9 @@ struct SimulationOptions {
   std::string file{};  ///< the scene's, for messages
 };
 
+struct Look;  // core/look.hpp
+struct LookQuestion;
+
 /// Owns particles and grid. Not thread-safe: one thread calls it; only `cancel` may be set from another.
 class Simulation {
  public:
@@ -74,6 +78,13 @@ class Simulation {
   /// All particles ordered by id.
   virtual std::vector<ParticleState> particles() const = 0;
   virtual ParticleState particle(std::uint32_t id) const = 0;
+  /// A particle and a node looked at from inside: weights, forces, who contributes (core/look.hpp). Costs nothing while
+  /// nobody asks. Here: the particle's state alone.
+  virtual Look look(const LookQuestion& question) const;
+  /// What is kept of the steps from now on; changes no bit of them.
+  virtual void set_recording(RecordLevel /*level*/) {}
+  /// Of the newest step() call, its last attempt; null where nothing was kept.
+  virtual std::shared_ptr<const StepRecord> record() const { return nullptr; }
   /// What the solver chose and why ("auto"), for the interface and summary.json.
   virtual std::string solver_choice() const = 0;
 

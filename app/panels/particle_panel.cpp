@@ -4,11 +4,11 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/SVD>
-#include <array>
 #include <cmath>
 #include <string>
-#include <utility>
 
+#include "app/inside/shape_curves.hpp"
+#include "app/panels/numbers.hpp"
 #include "app/panels/panels.hpp"
 #include "app/widgets/text.hpp"
 #include "app/widgets/units.hpp"
@@ -23,45 +23,8 @@ std::string body_name(const AppContext& context, std::size_t body) {
   return name.empty() ? "Body " + std::to_string(body + 1) : name;
 }
 
-/// A factor for all entries and the unit with its prefix: one prefix for each entry would be hard to compare.
-std::pair<double, std::string> common_unit(double largest, const std::string& unit) {
-  const std::array<std::pair<double, const char*>, 3> prefixes{{{1e9, "G"}, {1e6, "M"}, {1e3, "k"}}};
-  if (unit == "Pa")
-    for (const auto& [scale, prefix] : prefixes)
-      if (largest >= scale) return {scale, prefix + unit};
-  return {1, unit};
-}
-
-/// Rows x columns of the upper left corner, right-aligned, with as many digits as fit.
-void table(const char* title, const Mat3& a, int rows, int columns, const std::string& unit) {
-  const auto [factor, shown] = common_unit(a.topLeftCorner(rows, columns).cwiseAbs().maxCoeff(), unit);
-  heading((shown.empty() ? std::string(title) : title + (" [" + shown + "]")).c_str());
-  const float width = ImGui::GetContentRegionAvail().x / static_cast<float>(columns), left = ImGui::GetCursorPosX();
-  const auto text = [&, f = factor](int i, int j, int digits) { return quantity(a(i, j) / f, "", digits); };
-  int digits = 5;
-  for (bool fits = false; !fits && digits > 2;) {
-    fits = true;
-    --digits;
-    for (int i = 0; i < rows; ++i)
-      for (int j = 0; j < columns; ++j) fits &= ImGui::CalcTextSize(text(i, j, digits).c_str()).x + em(0.4F) <= width;
-  }
-  for (int i = 0; i < rows; ++i)
-    for (int j = 0; j < columns; ++j) {
-      const std::string entry = text(i, j, digits);
-      if (j > 0) ImGui::SameLine();
-      ImGui::SetCursorPosX(left + width * static_cast<float>(j + 1) - ImGui::CalcTextSize(entry.c_str()).x);
-      text_unformatted(entry);
-    }
-}
-
-void vector_row(const char* title, const Vec3& v, int d, const char* unit) {
-  Mat3 row = Mat3::Zero();
-  row.row(0) = v.transpose();
-  table(title, row, 1, d, unit);
-}
-
 void draw_stretch(const ParticleState& p, int d) {
-  table("Deformation gradient F", p.F, d, d, "");
+  matrix_table("Deformation gradient F", p.F, d, d, "");
   gap(0.25F);
   property("Volume ratio J", quantity(p.F.determinant(), ""));
   const Eigen::JacobiSVD<Mat3> svd(p.F);
@@ -76,7 +39,7 @@ void draw_stretch(const ParticleState& p, int d) {
 }
 
 void draw_stress(const ParticleState& p, int d) {
-  table("Cauchy stress", p.sigma, d, d, "Pa");
+  matrix_table("Cauchy stress", p.sigma, d, d, "Pa");
   gap(0.25F);
   if (d == 2) property("Across the plane", quantity(p.sigma(2, 2), "Pa"));
   const double pressure = -p.sigma.trace() / 3;
@@ -86,6 +49,37 @@ void draw_stress(const ParticleState& p, int d) {
   tooltip("Positive in compression.");
   property("Energy density", quantity(p.energy_density, "J/m\xc2\xb3"));
   tooltip("Stored elastic energy in a cubic metre of undeformed material.");
+}
+
+/// The nodes that it meets: a click selects one.
+void draw_nodes(AppContext& context, const ParticleLook& look, int d) {
+  if (!foldable("Shape functions and nodes", true)) return;
+  shape_plot(context, look.state.x);
+  constexpr auto flags =
+      ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_PadOuterX;
+  if (ImGui::BeginTable("nodes", 3, flags)) {
+    for (const char* head : {"Node", "w", "\xe2\x88\x87w [1/m]"}) {
+      ImGui::TableNextColumn();
+      ImGui::TextDisabled("%s", head);
+    }
+    for (const NodeWeight& n : look.nodes) {
+      ImGui::TableNextColumn();
+      const bool chosen = context.selected_node == n.node;
+      if (ImGui::Selectable(index_text(n.node, d).c_str(), chosen, ImGuiSelectableFlags_SpanAllColumns))
+        context.selected_node = n.node;
+      ImGui::TableNextColumn();
+      text_unformatted(quantity(n.w, "", 3));
+      ImGui::TableNextColumn();
+      text_unformatted(vector_text(n.grad, d, "", 2));
+    }
+    ImGui::EndTable();
+  }
+  property("Sum of w", quantity(look.weight_sum, "", 6));
+  tooltip("1 but for rounding: the functions are a partition of unity.");
+  const double steepest = 1 / context.scene.grid.spacing;
+  property("Sum of \xe2\x88\x87w",
+           look.gradient_sum.norm() < 1e-11 * steepest ? "0" : vector_text(look.gradient_sum, d, "1/m"));
+  tooltip("0 but for rounding: a rigid motion deforms nothing.");
 }
 
 }  // namespace
@@ -101,6 +95,7 @@ void draw_particle_panel(AppContext& context) {
     context.selected_particle.reset();
     return;
   }
+  ImGui::Separator();
   if (!context.inspected || context.inspected->id != *context.selected_particle) {
     muted("Its values arrive after the running step.");
     return;
@@ -117,6 +112,9 @@ void draw_particle_panel(AppContext& context) {
   property("Speed", quantity(p.v.norm(), "m/s"));
   draw_stretch(p, d);
   draw_stress(p, d);
+  if (!context.looked || !context.looked->particle || context.looked->particle->state.id != p.id) return;
+  property("Energy", quantity(context.looked->particle->energy, "J"));
+  draw_nodes(context, *context.looked->particle, d);
 }
 
 }  // namespace pf::app

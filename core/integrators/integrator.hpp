@@ -16,6 +16,7 @@
 #include "core/energies/friction.hpp"
 #include "core/energies/grab.hpp"
 #include "core/grid/mass.hpp"
+#include "core/integrators/step_observer.hpp"
 #include "core/solvers/newton.hpp"
 #include "core/transfers/transfer.hpp"
 
@@ -55,6 +56,7 @@ struct StepProblem {
   GridState<D>& grid;            ///< in: mass, v, perhaps a; out: u, v_end, perhaps a_end
   double kick = 0;               ///< explicit: how long forces change the velocities [s] (StepChoice); 0: dt
   double* error_rate = nullptr;  ///< out, where it is wanted: the local error in position, rms over mass, over dt [m/s]
+  StepObserver* observer = nullptr;  ///< looks on; may be null
 };
 
 /// How a step on the grid ended.

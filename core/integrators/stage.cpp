@@ -97,11 +97,13 @@ NewtonResult minimise_stage(const StepProblem<D>& problem, const Stage<D>& stage
   IncrementalPotential<D> potential(problem.plan, problem.mass.lumped(), set, memory.terms, reference,
                                     &memory.potential);
   first_guess(problem, stage, potential, memory.flight, u);
+  if (problem.observer) problem.observer->stage(stage.scale, stage.u_free, stage.loads, stage.inner);
 
   // While the friction forces settle, each minimisation need only be as exact as they are; the last one is exact.
   NewtonSettings newton = problem.newton;
   if (rubs) newton.tolerance = std::max(newton.tolerance, 1e-2);
-  NewtonResult result = minimise(potential, set, problem.linear, newton, problem.cancel, u, &memory.newton);
+  NewtonResult result =
+      minimise(potential, set, problem.linear, newton, problem.cancel, u, &memory.newton, problem.observer);
   constexpr int most = 100;
   for (int k = 0; rubs && result.status == NewtonStatus::converged; ++k) {
     potential.gradient(u, memory.g);
@@ -113,8 +115,8 @@ NewtonResult minimise_stage(const StepProblem<D>& problem, const Stage<D>& stage
       break;
     }
     newton.tolerance = std::clamp(0.1 * unsettled, problem.newton.tolerance, 1e-2);
-    result =
-        join(std::move(result), minimise(potential, set, problem.linear, newton, problem.cancel, u, &memory.newton));
+    result = join(std::move(result), minimise(potential, set, problem.linear, newton, problem.cancel, u, &memory.newton,
+                                              problem.observer));
   }
   if (error_rate && result.status == NewtonStatus::converged) {
     problem.grid.u = u;

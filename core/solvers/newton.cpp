@@ -12,14 +12,15 @@ template <int D>
 class Minimiser {
  public:
   Minimiser(Objective<D>& objective, const FeasibleSet<D>& set, LinearSolver<D>& linear, const NewtonSettings& settings,
-            const std::atomic<bool>* cancel, Vector& u, NewtonVectors<D>& vectors)
+            const std::atomic<bool>* cancel, Vector& u, NewtonVectors<D>& vectors, NewtonObserver* observer)
       : objective_(objective),
         set_(set),
         linear_(linear),
         settings_(settings),
         cancel_(cancel),
         u_(u),
-        vectors_(vectors) {}
+        vectors_(vectors),
+        observer_(observer) {}
 
   NewtonResult run();
 
@@ -50,6 +51,7 @@ class Minimiser {
   const std::atomic<bool>* cancel_;
   Vector& u_;
   NewtonVectors<D>& vectors_;
+  NewtonObserver* const observer_;
   Vector &g_ = vectors_.g, &free_g_ = vectors_.free_g, &d_ = vectors_.d, &trial_ = vectors_.trial;
   Vector &trial_g_ = vectors_.trial_g, &held_ = vectors_.held, &model_g_ = vectors_.model_g;
   Vector &natural_g_ = vectors_.natural_g, &tau_ = vectors_.tau;
@@ -253,11 +255,13 @@ NewtonResult Minimiser<D>::run() {
   result_.iterations.reserve(8);
   set_.project(u_);
   evaluate();
+  if (observer_) observer_->begin();
   if (!std::isfinite(E_)) return finish(NewtonStatus::infeasible_start);
   for (int k = 0;; ++k) {
     NewtonIteration record;
     record.residual = residual_;
     record.energy = E_;
+    if (observer_) observer_->iterate(u_, have_tau_ ? natural_g_ : free_g_, record);
     if (!std::isfinite(residual_)) return finish(NewtonStatus::not_finite);
     if (residual_ <= settings_.tolerance) {
       result_.iterations.push_back(record);
@@ -298,14 +302,14 @@ NewtonResult Minimiser<D>::run() {
 template <int D>
 NewtonResult minimise(Objective<D>& objective, const FeasibleSet<D>& set, LinearSolver<D>& linear,
                       const NewtonSettings& settings, const std::atomic<bool>* cancel, Vector& u,
-                      NewtonVectors<D>* vectors) {
+                      NewtonVectors<D>* vectors, NewtonObserver* observer) {
   NewtonVectors<D> own;
-  return Minimiser<D>(objective, set, linear, settings, cancel, u, vectors ? *vectors : own).run();
+  return Minimiser<D>(objective, set, linear, settings, cancel, u, vectors ? *vectors : own, observer).run();
 }
 
 template NewtonResult minimise<2>(Objective<2>&, const FeasibleSet<2>&, LinearSolver<2>&, const NewtonSettings&,
-                                  const std::atomic<bool>*, Vector&, NewtonVectors<2>*);
+                                  const std::atomic<bool>*, Vector&, NewtonVectors<2>*, NewtonObserver*);
 template NewtonResult minimise<3>(Objective<3>&, const FeasibleSet<3>&, LinearSolver<3>&, const NewtonSettings&,
-                                  const std::atomic<bool>*, Vector&, NewtonVectors<3>*);
+                                  const std::atomic<bool>*, Vector&, NewtonVectors<3>*, NewtonObserver*);
 
 }  // namespace pf

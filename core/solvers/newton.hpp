@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/solvers/linear_solver.hpp"
+#include "core/solvers/newton_observer.hpp"
 #include "core/step_report.hpp"
 
 namespace pf {
@@ -34,15 +35,15 @@ struct NewtonVectors {
 /// and, since a neighbourhood of indefinite points is seldom left at once, for the rest of the solve until the residual
 /// has fallen by two orders. The step is searched along the projected path P(u + alpha d), E never rises; where
 /// differences of E are lost in rounding the gradient's norm decides instead. On failure u is the best iterate so far.
-/// `vectors`, where they are given, lend their memory.
+/// `vectors`, where they are given, lend their memory; `observer`, where there is one, looks on.
 template <int D>
 NewtonResult minimise(Objective<D>& objective, const FeasibleSet<D>& set, LinearSolver<D>& linear,
                       const NewtonSettings& settings, const std::atomic<bool>* cancel, Vector& u,
-                      NewtonVectors<D>* vectors = nullptr);
+                      NewtonVectors<D>* vectors = nullptr, NewtonObserver* observer = nullptr);
 
 extern template NewtonResult minimise<2>(Objective<2>&, const FeasibleSet<2>&, LinearSolver<2>&, const NewtonSettings&,
-                                         const std::atomic<bool>*, Vector&, NewtonVectors<2>*);
+                                         const std::atomic<bool>*, Vector&, NewtonVectors<2>*, NewtonObserver*);
 extern template NewtonResult minimise<3>(Objective<3>&, const FeasibleSet<3>&, LinearSolver<3>&, const NewtonSettings&,
-                                         const std::atomic<bool>*, Vector&, NewtonVectors<3>*);
+                                         const std::atomic<bool>*, Vector&, NewtonVectors<3>*, NewtonObserver*);
 
 }  // namespace pf

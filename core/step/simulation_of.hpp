@@ -8,6 +8,7 @@
 #include "core/energies/elastic.hpp"
 #include "core/energies/grab.hpp"
 #include "core/integrators/integrator.hpp"
+#include "core/look.hpp"
 #include "core/simulation.hpp"
 #include "core/step/conditions.hpp"
 #include "core/step/known_motion.hpp"
@@ -43,6 +44,9 @@ class SimulationOf final : public Simulation {
   std::vector<ProbeReading> probes() const override;
   std::vector<ParticleState> particles() const override;
   ParticleState particle(std::uint32_t id) const override;
+  Look look(const LookQuestion& question) const override;
+  void set_recording(RecordLevel level) override { recording_ = level; }
+  std::shared_ptr<const StepRecord> record() const override { return record_; }
   std::string solver_choice() const override;
   void save_state(std::ostream& out) const override;
   void load_state(std::istream& in) override;
@@ -96,6 +100,8 @@ class SimulationOf final : public Simulation {
   /// Of a state that no step led to.
   void describe_state(StepReport& report);
   ParticleState state_of(std::size_t p) const;
+  ParticleLook look_at_particle(std::uint32_t id) const;
+  NodeLook look_at_node(const std::array<std::int32_t, 3>& index) const;
   void capture_fields(const SnapshotRequest& request, Snapshot& into) const;
   void capture_grid(Snapshot& into) const;
 
@@ -131,6 +137,8 @@ class SimulationOf final : public Simulation {
   double size_ = 0;  ///< of the largest body [m]
   bool told_of_blend_ = false;
   StepReport accepted_, returned_;
+  RecordLevel recording_ = RecordLevel::none;
+  std::shared_ptr<const StepRecord> record_;
   Work work_;
 
   Held held_;

@@ -6,6 +6,7 @@
 
 #include "core/step/balance.hpp"
 #include "core/step/simulation_of.hpp"
+#include "core/step/step_recorder.hpp"
 
 namespace pf {
 
@@ -48,6 +49,7 @@ const StepReport& SimulationOf<D>::step(const std::atomic<bool>* cancel) {
     return returned_;
   }
   work_ = {};
+  record_.reset();
   StepChoice choice = first_choice();
   for (int retry = 0, given_up = 0;;) {
     StepReport report;
@@ -202,10 +204,17 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
   lap(report.ms.assemble);
   const NewtonSettings newton{scene_.solver.newton_tolerance, scene_.solver.max_newton};
   StepOutcome outcome{.choice = choice};
-  StepResult result =
-      integrator.advance({plan_, M, elastic, spring ? &*spring : nullptr, set, stages, dt, newton, *linear_, parallel_,
-                          cancel, grid_, choice.kick, adaptive ? &outcome.error_rate : nullptr});
+  std::optional<StepRecorder<D>> recorder;
+  if (recording_ != RecordLevel::none) {
+    recorder.emplace(recording_, plan_, particles_, laws_, grid_, M.consistent(), parallel_);
+    Stages apart(*this, dt);  // a load that is no number at t^n is not the step's trouble
+    recorder->begin_step(accepted_.step + 1, time_, dt, apart);
+  }
+  StepResult result = integrator.advance({plan_, M, elastic, spring ? &*spring : nullptr, set, stages, dt, newton,
+                                          *linear_, parallel_, cancel, grid_, choice.kick,
+                                          adaptive ? &outcome.error_rate : nullptr, recorder ? &*recorder : nullptr});
   NewtonResult& solved = result.newton;
+  if (recorder) record_ = recorder->solved(solved.iterations);
   const SolverWork solver_work = linear_->take_work();
   work_.solver_operations += solver_work.operations;
   work_.stencil_operations += solver_work.stencil_operations;
@@ -238,6 +247,7 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
 
   const Attempt verdict = judge(solved, choice, report);
   if (verdict.outcome != Attempt::accepted) return verdict;
+  if (recorder) recorder->moved(moved_);
   lap(report.ms.update);
   loads_.surface().move(plan_, grid_.u);
   known_.surface().move(plan_, grid_.u);

@@ -100,8 +100,8 @@ TEST_CASE("a pause in the middle of a step leaves no trace") {
     live.wait([](const SessionStatus& s) { return !s.step_in_flight; });
   }
   // The worker may be just before a step that is no longer wanted: its answer to a question shows it idle.
-  live.session.ask_particle(0);
-  while (!live.session.answered_particle()) std::this_thread::sleep_for(1ms);
+  live.session.look({0, std::nullopt});
+  while (!live.session.looked()) std::this_thread::sleep_for(1ms);
   const auto straight = make_simulation(start);
   REQUIRE(live.session.status().step > 0);
   Runner(*straight).run({live.session.status().step});

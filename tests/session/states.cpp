@@ -175,11 +175,12 @@ TEST_CASE("only the requested fields are captured, and a new request is answered
 TEST_CASE("the inspector's question is answered between steps") {
   Stage stage;
   stage.session.open(scene_of(0.01, 1), false);
-  stage.session.ask_particle(2);
-  std::optional<ParticleState> answer;
-  REQUIRE(stage.until([&](const SessionStatus&) { return (answer = stage.session.answered_particle()).has_value(); }));
-  CHECK(answer->id == 2);
-  CHECK_FALSE(stage.session.answered_particle());
+  stage.session.look({2, std::nullopt});
+  std::optional<Look> answer;
+  REQUIRE(stage.until([&](const SessionStatus&) { return (answer = stage.session.looked()).has_value(); }));
+  REQUIRE(answer->particle);
+  CHECK(answer->particle->state.id == 2);
+  CHECK_FALSE(stage.session.looked());
 }
 
 TEST_CASE("a step that throws while states wait to be shown ends the run, not the program") {
@@ -194,7 +195,7 @@ TEST_CASE("a step that throws while states wait to be shown ends the run, not th
   stage.session.step_once();
   stage.session.set_grab(Grab{});
   stage.session.request({});
-  stage.session.ask_particle(0);
+  stage.session.look({0, std::nullopt});
   stage.session.edit(scene_of(0.02, 10));
   REQUIRE(stage.until([](const SessionStatus& s) { return s.edit.applies_at_step < 0; }));
   CHECK(stage.session.status().state == RunState::failed);

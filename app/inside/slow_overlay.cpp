@@ -1,0 +1,153 @@
+#include "app/inside/slow_overlay.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "app/inside/marks.hpp"
+#include "app/inside/step_player.hpp"
+#include "core/bases/basis.hpp"
+
+namespace pf::app {
+
+namespace {
+
+/// What one frame of the overlay is drawn with.
+struct Scenery {
+  Painter& painter;
+  const ViewMap& map;
+  const AppContext& context;
+  const StepPlayer& player;
+  float em;
+
+  const StepRecord& record() const { return player.record(); }
+  Vec3 home(std::size_t i) const {
+    const NodeIndex n = player.node(i);
+    return record().spacing * Vec3(n[0], n[1], n[2]);
+  }
+  /// Where a node is drawn.
+  Vec3 place(std::size_t i) const { return home(i) + player.magnification() * player.node_displacement(i); }
+};
+
+/// In 3D, and where nodes are many, marks on all of them would hide the body.
+bool marks_all_nodes(const Scenery& s) {
+  const auto cell = s.record().spacing / s.map.metres_per_pixel(s.record().spacing * Vec3::Zero());
+  return s.record().dimension == 2 && cell > 0.5 * static_cast<double>(s.em);
+}
+
+/// Discs whose area is the mass that a node has got so far.
+void draw_masses(const Scenery& s, double share) {
+  const std::vector<double>& m = s.record().node_mass;
+  const double most = m.empty() ? 1 : *std::max_element(m.begin(), m.end());
+  for (std::size_t i = 0; i < m.size(); ++i) {
+    const Vec3 x = s.place(i);
+    const auto at = s.map.to_pixel(x);
+    if (!at) continue;
+    const auto cell = static_cast<float>(s.record().spacing / s.map.metres_per_pixel(x));
+    const auto part = static_cast<float>(std::sqrt(share * m[i] / most));
+    if (part > 0.02F) mark_disc(s.painter, *at, std::min(0.32F * cell, 0.9F * s.em) * part, mark_blue);
+  }
+}
+
+/// Arrows of a force on every node; the longest is one cell.
+void draw_forces(const Scenery& s, const std::vector<double>& force, double largest, Color color) {
+  if (!(largest > 0)) return;
+  for (std::size_t i = 0; i < s.record().nodes(); ++i) {
+    const Vec3 f = entry(force, i, s.record().dimension);
+    if (f.norm() < 0.02 * largest) continue;
+    const Vec3 x = s.place(i);
+    const auto from = s.map.to_pixel(x), to = s.map.to_pixel(x + 1.2 * s.record().spacing / largest * f);
+    if (from && to) mark_arrow(s.painter, *from, *to, color, 0.75F * s.em);
+  }
+}
+
+double largest_of(const std::vector<double>& values, int dimension) {
+  double most = 0;
+  for (std::size_t i = 0; i * static_cast<std::size_t>(dimension) < values.size(); ++i)
+    most = std::max(most, entry(values, i, dimension).norm());
+  return most;
+}
+
+/// Lines between the watched particle and its nodes; dots run along them, towards the nodes or back.
+void draw_traffic(const Scenery& s, const Vec3& at, double run, bool towards_nodes) {
+  const BasisInfo* basis = find_basis(s.player.scene().grid.basis);
+  const auto p = s.context.selected_particle ? s.player.find_particle(*s.context.selected_particle) : std::nullopt;
+  const auto centre = s.map.to_pixel(at);
+  if (basis == nullptr || !p || !centre) return;
+  const Vec3 x = entry(s.record().before.x, *p, s.record().dimension);
+  for (const NodeWeight& n : weights_at(*basis, s.record().spacing, s.record().dimension, x)) {
+    const auto i = s.player.find_node(n.node);
+    if (!i) continue;
+    const auto end = s.map.to_pixel(s.place(*i));
+    if (!end) continue;
+    const auto w = static_cast<float>(n.w);
+    mark_line(s.painter, *centre, *end, {1, 1, 1, 0.2F + 0.7F * w}, (0.05F + 0.22F * w) * s.em);
+    const auto f = static_cast<float>(towards_nodes ? run : 1 - run);
+    if (run > 0.01 && run < 0.99)
+      mark_disc(s.painter, {centre->x + f * (end->x - centre->x), centre->y + f * (end->y - centre->y)},
+                (0.12F + 0.55F * std::sqrt(w)) * s.em * 0.7F, mark_amber);
+    char text[16];
+    std::snprintf(text, sizeof text, "%.2f", n.w);
+    const auto cell = static_cast<float>(s.record().spacing / s.map.metres_per_pixel(at));
+    if (cell > 3.5F * s.em) mark_label(s.painter, *end, text, s.em);
+  }
+  s.painter.ring(*centre, 0.5F * s.em, mark_rim, 0.3F * s.em);
+  s.painter.ring(*centre, 0.5F * s.em, mark_white, 0.14F * s.em);
+}
+
+void draw_watched_node(const Scenery& s) {
+  const auto i = s.context.selected_node ? s.player.find_node(*s.context.selected_node) : std::nullopt;
+  if (!i) return;
+  const auto at = s.map.to_pixel(s.place(*i)), home = s.map.to_pixel(s.home(*i));
+  if (!at || !home) return;
+  if (std::hypot(at->x - home->x, at->y - home->y) > 0.5F * s.em)
+    mark_line(s.painter, *home, *at, mark_green, 0.12F * s.em);
+  s.painter.ring(*at, 0.6F * s.em, mark_rim, 0.34F * s.em);
+  s.painter.ring(*at, 0.6F * s.em, mark_green, 0.17F * s.em);
+}
+
+void draw_residuals(const Scenery& s, const IterateRecord& it) {
+  const double first = largest_of(s.record().iterates.front().residual, s.record().dimension);
+  draw_forces(s, it.residual, first, mark_red);
+}
+
+}  // namespace
+
+void draw_slow_step(Painter& painter, const ViewMap& map, const AppContext& context) {
+  const StepPlayer& player = *context.slow;
+  const Scenery s{painter, map, context, player, map.em()};
+  const Phase& phase = player.phase();
+  const double f = player.motion();
+  const bool all = marks_all_nodes(s);
+  const auto p = context.selected_particle ? player.find_particle(*context.selected_particle) : std::nullopt;
+  Vec3 at = Vec3::Zero();
+  if (p && *p * static_cast<std::size_t>(s.record().dimension) < context.snapshot->x.size())
+    at = entry(context.snapshot->x, *p, s.record().dimension);
+  switch (phase.kind) {
+    case PhaseKind::give:
+      if (all) draw_masses(s, f);
+      draw_traffic(s, at, f, true);
+      break;
+    case PhaseKind::guess:
+      if (f > 0.97) draw_residuals(s, s.record().iterates[0]);
+      break;
+    case PhaseKind::iterate:
+      draw_residuals(s, s.record().iterates[f < 0.97 ? phase.iterate - 1 : phase.iterate]);
+      break;
+    case PhaseKind::kick: {
+      std::vector<double> total = s.record().internal_start;
+      for (std::size_t k = 0; k < total.size(); ++k) total[k] += s.record().external_start[k];
+      draw_forces(s, total, largest_of(total, s.record().dimension), mark_red);
+      break;
+    }
+    case PhaseKind::ride:
+      draw_traffic(s, at, f, false);
+      break;
+    case PhaseKind::extrapolate:
+    case PhaseKind::snap:
+      break;
+  }
+  draw_watched_node(s);
+}
+
+}  // namespace pf::app
