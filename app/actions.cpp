@@ -3,6 +3,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "app/inside/step_player.hpp"
+#include "app/panels/memory.hpp"
 #include "app/workbench.hpp"
 #include "core/assets.hpp"
 #include "core/build_info.hpp"
@@ -55,6 +57,15 @@ void Workbench::set_actions() {
   context_.fit_view = [this] { act(Action::fit); };
   context_.save_picture = [this] { act(Action::picture); };
   context_.pin = [this] { pin(); };
+  context_.show_scene = [this](const Scene& scene, bool run) { open_scene(scene, {}, run); };
+  context_.settle_changes = [this](std::function<void()> then) { settle_changes(std::move(then)); };
+  context_.show_plot = [this](const std::string& title) {
+    drawer_open_ = true;
+    PanelMemory& m = memory(context_);
+    m.plot = title;
+    m.show_plot = true;
+    settle_ = 3;
+  };
   set_study_actions();
   context_.notify = [this](const std::string& text) {
     notices_.add(text);
@@ -71,6 +82,8 @@ bool Workbench::possible(Action action) const {
       return undo_.can_redo();
     case Action::step:
       return state == RunState::paused || state == RunState::running || state == RunState::failed;
+    case Action::slow_step:
+      return state == RunState::paused || state == RunState::running;
     case Action::picture:
     case Action::export_picture:
     case Action::fit:
@@ -116,12 +129,23 @@ void Workbench::act(Action action, int index) {
       if (auto after = undo_.redo(document())) restore(std::move(*after));
       break;
     case Action::run_pause:
+      if (context_.slow) {
+        context_.slow->playing = !context_.slow->playing && !context_.slow->at_end();
+        break;
+      }
       context_.status.state == RunState::running ? session_.pause() : session_.run();
       break;
     case Action::step:
-      session_.step_once();
+      if (context_.slow)
+        context_.slow->next();
+      else
+        session_.step_once();
+      break;
+    case Action::slow_step:
+      session_.take_apart();
       break;
     case Action::reset:
+      close_slow_step();
       if (view_) view_->cancel_tool(context_);
       session_.reset();
       break;
@@ -136,6 +160,10 @@ void Workbench::act(Action action, int index) {
       break;
     case Action::bent_grid:
       view.show_bent_grid = !view.show_bent_grid;
+      break;
+    case Action::shapes:
+      view.show_shapes = !view.show_shapes;
+      if (view.show_shapes) notices_.add("Shape functions follow the mouse; N hides them");
       break;
     case Action::field:
       if (!offers_field(index)) return;
@@ -162,6 +190,10 @@ void Workbench::act(Action action, int index) {
 void Workbench::deselect() {
   if (view_ && view_->tool_holds())
     view_->cancel_tool(context_);
+  else if (context_.slow)
+    close_slow_step();
+  else if (context_.selected_node)
+    context_.selected_node.reset();
   else if (context_.selected_particle)
     context_.selected_particle.reset();
   else
@@ -204,7 +236,9 @@ void Workbench::show_scene(const Scene& scene, const fs::path& file, bool run) {
   context_.scene_file = file;
   context_.unsaved = false;
   context_.problems.clear();
+  close_slow_step();
   context_.selected_particle.reset();
+  context_.selected_node.reset();
   context_.inspected.reset();
   if (const FieldInfo* info = find_field(scene.view.color_by)) context_.view.field = info->field;
   context_.view.lock_range = false;

@@ -73,7 +73,8 @@ struct AppContext {
   std::shared_ptr<const StepRecord> record;  ///< of the newest step, where it was asked for
   bool wants_record = false;                 ///< some panel of this frame shows where residuals are
   std::shared_ptr<StepPlayer> slow;          ///< one step played slowly; null: none
-  std::shared_ptr<LessonDesk> lesson;        ///< null: no lesson was opened yet
+  std::shared_ptr<LessonDesk> lesson;        ///< null: no lesson is open
+  std::string highlight;                     ///< pointer of a setting that the lesson points at; "": none
   std::vector<Problem> problems;             ///< of the last refused edit or scene file, shown with their pointers
   std::string problems_source;
 
@@ -88,6 +89,10 @@ struct AppContext {
   std::function<void(FileDialog::Request)> ask_file;
   std::function<void()> wake;  ///< draw a frame soon; from any thread
   std::function<void()> ask_open, ask_save_as, save, undo, redo, fit_view, save_picture, pin;
+  /// Shows a scene of a lesson, without a question about changes and without a place among the recent files.
+  std::function<void(const Scene&, bool run)> show_scene;
+  /// Runs `then` at once, or after the user has said what becomes of unsaved changes.
+  std::function<void(std::function<void()> then)> settle_changes;
   /// Shows a plot of the drawer by its title.
   std::function<void(const std::string&)> show_plot;
   std::function<void(const std::string&)> notify;  ///< a short message at the window's edge

@@ -164,6 +164,7 @@ void Workbench::draw_help() {
       row("Left drag", "Grab the material");
       row("Wheel while dragging", "Radius of the grab");
       row("Click", "Select a particle");
+      row("Ctrl+click", "Select a node of the grid");
       row("Left drag beside it", "2D: move, 3D: turn");
       row("Right drag", "2D: move, 3D: turn");
       row("Middle drag", "Move");

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "app/imgui_painter.hpp"
+#include "app/inside/overlay.hpp"
+#include "app/inside/step_player.hpp"
 #include "app/theme.hpp"
 #include "core/charts/png_painter.hpp"
 #include "render/overlay.hpp"
@@ -52,6 +54,12 @@ RenderOptions render_options(const AppContext& context, float pixel_scale) {
   o.bent_magnification = view.bent_magnification;
   o.boundaries = o.regions = view.show_boundaries;
   o.selected = context.selected_particle;
+  if (context.slow) {
+    o.grid = o.velocities = o.bent_grid = true;
+    o.bent_magnification = 1;  // the player's snapshots are magnified already
+    const PhaseKind kind = context.slow->phase().kind;
+    o.velocities = kind == PhaseKind::give || kind == PhaseKind::guess;
+  }
   o.pixel_scale = pixel_scale;
   o.theme = view.theme == Theme::dark ? RenderTheme::dark() : RenderTheme::light();
   return o;
@@ -276,10 +284,13 @@ void GlView::draw_tool(AppContext& context, ImDrawList& list) {
   if (tools_.empty() || ((drag_ == Drag::pan || drag_ == Drag::orbit) && moved_)) return;
   const ImGuiIO& io = ImGui::GetIO();
   const bool over = where_.contains(io.MousePos.x, io.MousePos.y) && !io.WantCaptureMouse;
-  const ViewMouse mouse = mouse_now(context, false);
+  const bool inside_hovers = context.view.show_shapes && over && dimension_ == 3;
+  const ViewMouse mouse = mouse_now(context, inside_hovers);
   ImGuiPainter painter(list);
   painter.push_clip({where_.x, where_.y}, {where_.right(), where_.bottom()});
-  tools_[tool_]->draw(painter, CameraMap(*this), over || held_ ? &mouse : nullptr, context);
+  const CameraMap map(*this);
+  draw_inside(painter, map, over ? &mouse : nullptr, context);
+  tools_[tool_]->draw(painter, map, over || held_ ? &mouse : nullptr, context);
   painter.pop_clip();
 }
 

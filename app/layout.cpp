@@ -7,7 +7,7 @@ namespace pf::app {
 namespace {
 
 // In em.
-constexpr float left_width = 18, inspector_width = 15;
+constexpr float left_width = 18, inspector_width = 15, wide_width = 21;
 constexpr float transport_row = 2.8f;    // a button and the space about it
 constexpr float status_row = 2.0f;       // of text, below it where both do not fit in one
 constexpr float transport_one_row = 52;  // what one row of it needs
@@ -26,8 +26,12 @@ Layout arrange(const LayoutInput& in) {
   out.menu = {0, 0, in.width, in.menu_height};
   const float top = in.menu_height, height = std::max(0.0f, in.height - top);
   // The view keeps at least two fifths of the width however large the text is.
-  const float left = whole(std::min(left_width * in.em, 0.45f * in.width));
-  const float right = in.inspector ? whole(std::min(inspector_width * in.em, 0.3f * in.width)) : 0;
+  float left = whole(std::min(left_width * in.em, 0.45f * in.width));
+  float right = in.inspector ? whole(std::min(inspector_width * in.em, 0.3f * in.width)) : 0;
+  if (in.wide_right) {
+    right = whole(std::min(wide_width * in.em, 0.45f * in.width));
+    if (in.width - left - right < 0.3f * in.width) left = 0;  // the settings make room for what is being read
+  }
   const float middle = std::max(0.0f, in.width - left - right);
   out.transport_rows = middle < transport_one_row * in.em ? 2 : 1;
   out.step_strip = in.step_strip ? whole(step_strip_height * in.em) : 0;
@@ -42,7 +46,7 @@ Layout arrange(const LayoutInput& in) {
   out.view = {left, top, middle, std::max(0.0f, height - transport - drawer)};
   out.transport = {left, out.view.bottom(), middle, transport};
   out.drawer = {left, out.transport.bottom(), middle, drawer};
-  if (in.inspector) out.inspector = {left + middle, top, right, height};
+  if (right > 0) out.inspector = {left + middle, top, right, height};
   return out;
 }
 

@@ -19,6 +19,7 @@ struct LayoutInput {
   float menu_height = 23;    ///< as ImGui makes it
   bool hide_panels = false;  ///< nothing but the view
   bool inspector = false;
+  bool wide_right = false;  ///< the right column has text and formulae in it
   bool step_strip = false;  ///< a strip of the steps' lengths under the time line
   bool drawer_open = false;
   float drawer_height = 19.5F;  ///< of the open drawer as the user dragged it [em]

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/lessons/desk.hpp"
 #include "app/studies/desk.hpp"
 #include "app/theme.hpp"
 #include "app/workbench.hpp"
@@ -37,6 +38,10 @@ void Workbench::draw_menus() {
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Help")) {
+    if (ImGui::BeginMenu("Lessons")) {
+      draw_lesson_menu(context_);
+      ImGui::EndMenu();
+    }
     menu_item(Action::help);
     if (ImGui::MenuItem("About Pushforward")) show_about_ = true;
     ImGui::EndMenu();
@@ -85,6 +90,7 @@ void Workbench::draw_file_menu() {
 void Workbench::draw_run_menu() {
   menu_item(Action::run_pause);
   menu_item(Action::step);
+  menu_item(Action::slow_step, context_.slow != nullptr);
   menu_item(Action::reset);
   ImGui::Separator();
   if (ImGui::MenuItem("Study this scene…")) {
@@ -111,6 +117,7 @@ void Workbench::draw_view_menu() {
   menu_item(Action::grid, view.show_grid);
   menu_item(Action::vectors, view.show_velocities);
   menu_item(Action::bent_grid, view.show_bent_grid);
+  menu_item(Action::shapes, view.show_shapes);
   ImGui::Separator();
   menu_item(Action::hide_panels, view.hide_panels);
   menu_item(Action::full_screen, window_.full_screen());

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/inside/scrubber.hpp"
 #include "app/step_strip.hpp"
 #include "app/theme.hpp"
 #include "app/workbench.hpp"
@@ -100,6 +101,10 @@ void Workbench::draw_transport() {
   const Rect& bar = layout_.transport;
   const float inset = std::floor((row - ImGui::GetFrameHeight()) / 2);
   ImGui::SetCursorPosY(inset);
+  if (context_.slow) {
+    if (!draw_scrubber(context_, layout_.transport_rows == 2 ? row - inset / 2 : 0)) close_slow_step();
+    return;
+  }
   draw_transport_buttons();
   ImGui::SameLine();
   draw_playback_choices();

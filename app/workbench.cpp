@@ -9,6 +9,8 @@
 #include <iterator>
 #include <utility>
 
+#include "app/inside/step_player.hpp"
+#include "app/lessons/desk.hpp"
 #include "app/panels/docks.hpp"
 #include "app/step_strip.hpp"
 #include "app/theme.hpp"
@@ -105,6 +107,7 @@ double Workbench::patience(double longest) const {
   if (settle_ > 0 && held <= 0) return 0;
   double seconds = held > 0 ? std::min(longest, held) : longest;
   if (notices_.any() || context_.status.step_in_flight) seconds = std::min(seconds, 0.2);
+  if (context_.slow && context_.slow->playing) seconds = std::min(seconds, 1.0 / 60);
   if (ImGui::GetIO().WantTextInput) seconds = std::min(seconds, 0.25);  // the cursor blinks
   if (view_) seconds = std::min(seconds, view_->refines_in().value_or(seconds));
   if (news_to_show_ && held <= 0)
@@ -136,7 +139,8 @@ bool Workbench::turn(double longest) {
   follow_session();
   const bool changed = (news && !same_news(before, context_.status)) || seen != context_.snapshot;
   const bool refine = view_ && view_->refines_in() == 0.0;
-  const bool timed = notices_.expire() || ImGui::GetIO().WantTextInput || refine;
+  const bool playing = context_.slow && context_.slow->playing;
+  const bool timed = playing || notices_.expire() || ImGui::GetIO().WantTextInput || refine;
   if (study_news_.exchange(false)) follow_studies();
   news_to_show_ |= changed || !same_news(before, context_.status);
   const bool loading = context_.status.state == RunState::loading;
@@ -176,6 +180,8 @@ void Workbench::handle_input() {
 void Workbench::follow_session() {
   context_.status = session_.status();
   context_.snapshot = session_.snapshot();  // after the status: at least as new
+  context_.record = session_.record();
+  follow_slow_step();
   const SnapshotRequest wanted = snapshot_request(render_options(context_, 1));
   if (wanted.fields != requested_.fields || wanted.grid != requested_.grid) {
     requested_ = wanted;
@@ -183,23 +189,27 @@ void Workbench::follow_session() {
   }
   follow_history();
   follow_selection();
+  follow_lesson(context_);
 }
 
 void Workbench::follow_selection() {
-  const auto& selected = context_.selected_particle;
-  if (!selected) {
-    context_.inspected.reset();
-    asked_particle_.reset();
+  const LookQuestion question{context_.selected_particle, context_.selected_node};
+  if (!question.particle) context_.inspected.reset();
+  if (!question.particle && !question.node) {
+    context_.looked.reset();
+    asked_ = {};
     return;
   }
-  if (asked_particle_ != selected || asked_about_ != context_.snapshot) {
-    if (asked_particle_ != selected) context_.inspected.reset();
-    asked_particle_ = selected;
+  if (asked_ != question || asked_about_ != context_.snapshot) {
+    if (asked_.particle != question.particle) context_.inspected.reset();
+    asked_ = question;
     asked_about_ = context_.snapshot;
-    session_.ask_particle(*selected);
+    session_.look(question);
   }
-  if (auto answer = session_.answered_particle(); answer && answer->id == *selected) {
-    context_.inspected = std::move(answer);
+  if (auto answer = session_.looked()) {
+    context_.looked = std::move(answer);
+    const auto& particle = context_.looked->particle;
+    if (particle && particle->state.id == question.particle) context_.inspected = particle->state;
     settle_ = std::max(settle_, 1);
   }
 }
@@ -253,7 +263,8 @@ void Workbench::draw() {
   in.menu_height = menu_height_ > 0 ? menu_height_ : ImGui::GetFrameHeight();
   in.hide_panels = context_.view.hide_panels;
   in.inspector = has_inspector(context_);
-  in.step_strip = has_step_strip(context_);
+  in.wide_right = has_wide_inspector(context_);
+  in.step_strip = has_step_strip(context_) && !context_.slow;
   in.drawer_open = drawer_open_;
   in.drawer_height = preferences_.drawer_height;
   layout_ = arrange(in);
@@ -261,6 +272,7 @@ void Workbench::draw() {
   view_->handle_mouse(context_);
   view_->draw(context_);
   draw_parts();
+  watch();
   if (!picture_wanted_.empty()) save_picture(std::exchange(picture_wanted_, {}));
   window_.end_frame();
   ++frames_;
@@ -287,6 +299,8 @@ void Workbench::draw_parts() {
   part("transport", layout_.transport, {0.8f * em, 0}, ImGuiWindowFlags_NoScrollWithMouse, [&] { draw_transport(); });
   ImGui::PopStyleColor();
   part("inspector", layout_.inspector, usual, 0, [&] { draw_inspector(context_); });
+  context_.wants_record =
+      false;  // until a panel of this frame wants it; what lies above shows what the last one wanted
   part("drawer", layout_.drawer, {0.8f * em, 0.25f * em}, ImGuiWindowFlags_NoScrollWithMouse, [&] {
     if (drawer_open_) draw_splitter();
     draw_bottom_drawer(context_);

@@ -74,6 +74,9 @@ class Workbench {
   void follow_session();
   void follow_history();
   void follow_selection();
+  void follow_slow_step();
+  void close_slow_step();
+  void watch();
   void follow_scale();
   void draw();
   void draw_parts();
@@ -164,7 +167,9 @@ class Workbench {
   double rate_ = 1;
   SnapshotRequest requested_;
   std::shared_ptr<const Snapshot> asked_about_;  ///< the state that the inspector's last question was about
-  std::optional<std::uint32_t> asked_particle_;
+  LookQuestion asked_;
+  RecordLevel watched_ = RecordLevel::none;  ///< what the session was asked to keep of each step
+  Clock::time_point played_at_{};            ///< when the slowly played step was last moved on
   bool drawer_open_ = false;
   std::vector<HistorySample> fresh_;
 

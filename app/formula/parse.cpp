@@ -1,5 +1,5 @@
+#include <algorithm>
 #include <array>
-#include <cstdint>
 #include <cstring>
 #include <utility>
 
@@ -56,9 +56,17 @@ class Parser {
         attach(row);
         continue;
       }
+      const bool comma = next() == ',';
       row.parts.push_back(atom());
+      if (comma) row.parts.push_back(space_after_comma());
     }
     return row;
+  }
+
+  /// Narrow within brackets, "(X, t)"; wide where two spaces or more set one statement off from the next.
+  Node space_after_comma() {
+    const std::size_t word = std::min(text_.find_first_not_of(' ', at_), text_.size());
+    return {.kind = Kind::space, .width = word - at_ > 1 ? 0.9F : 0.2F};
   }
 
   /// A sub- or superscript to the last part of the row.

@@ -83,7 +83,7 @@ void choose_magnification(StepPlayer& player) {
 
 }  // namespace
 
-bool draw_scrubber(AppContext& context) {
+bool draw_scrubber(AppContext& context, float below) {
   StepPlayer& player = *context.slow;
   push_accent_button();
   if (ImGui::Button(player.playing ? "Pause" : player.at_end() ? "Again" : "Play", ImVec2(em(4.4F), 0))) {
@@ -107,7 +107,17 @@ bool draw_scrubber(AppContext& context) {
     choose_magnification(player);
     ImGui::SameLine();
   }
-  return !ImGui::Button("Close");
+  const bool closed = ImGui::Button("Close");
+  if (!roomy && below > 0) {
+    ImGui::SetCursorPosY(below);
+    choose_speed(player);
+    ImGui::SameLine();
+    choose_magnification(player);
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("Step %ld", player.record().step);
+  }
+  return !closed;
 }
 
 }  // namespace pf::app

@@ -5,7 +5,8 @@
 
 namespace pf::app {
 
-/// Fills the current window. False once the user has closed it.
-bool draw_scrubber(AppContext& context);
+/// Fills the current window; the choices stand `below` the bar where they do not fit beside it: there. False once the
+/// user has closed it.
+bool draw_scrubber(AppContext& context, float below);
 
 }  // namespace pf::app

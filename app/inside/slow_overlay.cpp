@@ -54,6 +54,7 @@ void draw_forces(const Scenery& s, const std::vector<double>& force, double larg
   if (!(largest > 0)) return;
   for (std::size_t i = 0; i < s.record().nodes(); ++i) {
     const Vec3 f = entry(force, i, s.record().dimension);
+    if (!s.player.draws(i)) continue;
     if (f.norm() < 0.02 * largest) continue;
     const Vec3 x = s.place(i);
     const auto from = s.map.to_pixel(x), to = s.map.to_pixel(x + 1.2 * s.record().spacing / largest * f);
@@ -77,7 +78,7 @@ void draw_traffic(const Scenery& s, const Vec3& at, double run, bool towards_nod
   const Vec3 x = entry(s.record().before.x, *p, s.record().dimension);
   for (const NodeWeight& n : weights_at(*basis, s.record().spacing, s.record().dimension, x)) {
     const auto i = s.player.find_node(n.node);
-    if (!i) continue;
+    if (!i || !s.player.draws(*i)) continue;
     const auto end = s.map.to_pixel(s.place(*i));
     if (!end) continue;
     const auto w = static_cast<float>(n.w);

@@ -9,10 +9,10 @@ namespace pf::app {
 
 namespace {
 
-double largest_length(const std::vector<double>& values, int dimension) {
+double largest_length(const StepRecord& r, const std::vector<double>& values, const std::vector<bool>& counted) {
   double most = 0;
-  for (std::size_t k = 0; k * static_cast<std::size_t>(dimension) < values.size(); ++k)
-    most = std::max(most, entry(values, k, dimension).norm());
+  for (std::size_t i = 0; i < r.nodes(); ++i)
+    if (counted[i]) most = std::max(most, entry(values, i, r.dimension).norm());
   return most;
 }
 
@@ -24,10 +24,10 @@ double round_down(double times) {
 }
 
 /// So that the grid bends by about half a cell.
-double useful_magnification(const StepRecord& r) {
-  const double end = largest_length(r.node_displacement, r.dimension);
+double useful_magnification(const StepRecord& r, const std::vector<bool>& counted) {
+  const double end = largest_length(r, r.node_displacement, counted);
   double most = end;
-  for (const IterateRecord& it : r.iterates) most = std::max(most, largest_length(it.u, r.dimension));
+  for (const IterateRecord& it : r.iterates) most = std::max(most, largest_length(r, it.u, counted));
   if (!(end > 0)) return 1;
   return round_down(std::min(0.5 * r.spacing / end, 1.5 * r.spacing / most));
 }
@@ -43,7 +43,10 @@ Vec3 entry(const std::vector<double>& values, std::size_t k, int dimension) {
 
 StepPlayer::StepPlayer(ApartStep step, Scene scene) : step_(std::move(step)), scene_(std::move(scene)) {
   make_phases();
-  magnification_ = useful_magnification(*step_.record);
+  const double heaviest =
+      record().nodes() > 0 ? *std::max_element(record().node_mass.begin(), record().node_mass.end()) : 0;
+  for (const double m : record().node_mass) drawn_.push_back(m > 0.01 * heaviest);
+  magnification_ = useful_magnification(record(), drawn_);
 }
 
 void StepPlayer::make_phases() {
@@ -164,6 +167,31 @@ std::uint32_t StepPlayer::remarkable_particle() const {
   return r.id.empty() ? 0 : r.id[best];
 }
 
+void StepPlayer::fill_grid(Snapshot& s) const {
+  const StepRecord& r = record();
+  const PhaseKind kind = phase().kind;
+  const double f = motion(), arrows = kind == PhaseKind::give ? f : kind == PhaseKind::snap ? 1 - f : 1;
+  const std::vector<double>& v =
+      kind == PhaseKind::ride || kind == PhaseKind::snap ? r.node_velocity_end : r.node_velocity;
+  const auto d = static_cast<std::size_t>(r.dimension);
+  s.node_index.clear();
+  s.node_mass.clear();
+  s.node_velocity.clear();
+  s.node_displacement.clear();
+  for (std::size_t i = 0; i < r.nodes(); ++i) {
+    if (!drawn_[i]) continue;
+    const Vec3 u = magnification_ * node_displacement(i);
+    s.node_mass.push_back(r.node_mass[i]);
+    for (std::size_t a = 0; a < d; ++a) {
+      s.node_index.push_back(r.node_index[i * d + a]);
+      s.node_velocity.push_back(arrows * v[i * d + a]);
+      s.node_displacement.push_back(u[static_cast<int>(a)]);
+    }
+  }
+  s.nodes = s.node_mass.size();
+  s.node_state.assign(s.nodes, 0);
+}
+
 std::shared_ptr<const Snapshot> StepPlayer::snapshot() {
   if (shown_ && shown_position_ == position_ && shown_magnification_ == magnification_) return shown_;
   const StepRecord& r = record();
@@ -179,17 +207,7 @@ std::shared_ptr<const Snapshot> StepPlayer::snapshot() {
     s->x[k] = r.before.x[k] + gone * times * (r.after.x[k] - r.before.x[k]);
   for (std::size_t k = 0; k < s->F.size() && k < r.after.F.size(); ++k)
     s->F[k] = static_cast<float>(r.before.F[k] + gone * times * (r.after.F[k] - r.before.F[k]));
-  s->nodes = r.nodes();
-  s->node_index = r.node_index;
-  s->node_mass = r.node_mass;
-  s->node_state.assign(r.nodes(), 0);
-  s->node_velocity = kind == PhaseKind::ride || kind == PhaseKind::snap ? r.node_velocity_end : r.node_velocity;
-  const double arrows = kind == PhaseKind::give ? f : kind == PhaseKind::snap ? 1 - f : 1;
-  for (double& v : s->node_velocity) v *= arrows;
-  const auto [from, to] = displacements();
-  s->node_displacement.assign(s->node_velocity.size(), 0);
-  for (std::size_t k = 0; k < s->node_displacement.size(); ++k)
-    s->node_displacement[k] = magnification_ * ((from ? (1 - f) * (*from)[k] : 0) + (to ? f * (*to)[k] : 0));
+  fill_grid(*s);
   if (kind == PhaseKind::snap && f > 0.5) {
     // The new colours, particle by particle: the new state has another order.
     std::unordered_map<std::uint32_t, std::size_t> place;

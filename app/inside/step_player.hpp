@@ -62,6 +62,9 @@ class StepPlayer {
   /// What the view shows at this position. The same object until the position or the magnification changes.
   std::shared_ptr<const Snapshot> snapshot();
 
+  /// Whether the picture has a node: not those that hold next to nothing, below a hundredth of the heaviest, which go
+  /// wherever their few grams are thrown.
+  bool draws(std::size_t node) const { return drawn_[node]; }
   /// Displacement of a node at this position [m], not magnified.
   Vec3 node_displacement(std::size_t node) const;
   std::optional<std::size_t> find_node(const NodeIndex& index) const;
@@ -76,8 +79,11 @@ class StepPlayer {
   /// Grid displacements at the beginning and the end of the current phase; null: none.
   std::pair<const std::vector<double>*, const std::vector<double>*> displacements() const;
 
+  void fill_grid(Snapshot& snapshot) const;
+
   ApartStep step_;
   Scene scene_;
+  std::vector<bool> drawn_;  ///< one a node
   std::vector<Phase> phases_;
   double position_ = 0, magnification_ = 1;
   std::shared_ptr<const Snapshot> shown_;

@@ -2,8 +2,10 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/panels/memory.hpp"
+#include "app/panels/numbers.hpp"
 #include "app/panels/panels.hpp"
 #include "app/panels/series.hpp"
 #include "app/widgets/plot.hpp"
@@ -32,9 +34,33 @@ Series residuals(const StepReport& report) {
   return s;
 }
 
-void iteration_table(const StepReport& report) {
-  if (!ImGui::BeginTable("newton", 4, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings)) return;
-  for (const char* head : {"", "Residual", "Step length", "Linear"}) {
+/// The order with which the newest three residuals fall: r_(k+1) ~ r_k^order; 0 where they do not say.
+double observed_order(const Series& s) {
+  const std::size_t n = s.y.size();
+  if (n < 3 || !(s.y[n - 1] > 0 && s.y[n - 2] < s.y[n - 3] && s.y[n - 1] < s.y[n - 2])) return 0;
+  return std::log(s.y[n - 1] / s.y[n - 2]) / std::log(s.y[n - 2] / s.y[n - 3]);
+}
+
+/// Where most of an iterate's residual is: a click selects that node.
+void worst_cell(AppContext& context, const StepReport& report, std::size_t k) {
+  const StepRecord* record = context.record.get();
+  if (record == nullptr || record->step != report.step || k >= record->iterates.size()) return ImGui::TextDisabled("-");
+  const IterateRecord& it = record->iterates[k];
+  if (it.worst < 0) return ImGui::TextDisabled("-");
+  NodeIndex node{};
+  const auto d = static_cast<std::size_t>(record->dimension);
+  std::copy_n(record->node_index.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(it.worst) * d), d,
+              node.begin());
+  ImGui::PushID(static_cast<int>(k));
+  if (ImGui::Selectable(index_text(node, record->dimension).c_str(), context.selected_node == node))
+    context.selected_node = node;
+  tooltip(quantity(100 * it.worst_share, "", 2) + " % of the squared residual is at this node. A click selects it.");
+  ImGui::PopID();
+}
+
+void iteration_table(AppContext& context, const StepReport& report) {
+  if (!ImGui::BeginTable("newton", 5, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings)) return;
+  for (const char* head : {"", "Residual", "Length", "Linear", "Most at"}) {
     ImGui::TableNextColumn();
     ImGui::TextDisabled("%s", head);
   }
@@ -49,6 +75,8 @@ void iteration_table(const StepReport& report) {
     text_unformatted(it.step_length > 0 ? quantity(it.step_length, "", 3) : "-");
     ImGui::TableNextColumn();
     text_unformatted(std::to_string(it.linear_iterations));
+    ImGui::TableNextColumn();
+    worst_cell(context, report, k);
   }
   ImGui::EndTable();
 }
@@ -76,6 +104,7 @@ const StepReport* newest_solved(const std::vector<StepReport>& reports) {
 }  // namespace
 
 void draw_convergence_plot(AppContext& context) {
+  context.wants_record = true;
   PlotMemory& m = memory(context).plots;
   const auto& reports = context.current.reports;
   const StepReport* const report = newest_solved(reports);
@@ -84,7 +113,10 @@ void draw_convergence_plot(AppContext& context) {
       muted("No step has been solved yet.");
     } else {
       legend_entry(context, 0, "Step " + std::to_string(report->step), quantity(report->residual, "", 2));
-      iteration_table(*report);
+      if (const double order = observed_order(residuals(*report)); order > 0)
+        property("Observed order", quantity(order, "", 2));
+      tooltip("2: quadratic, as Newton's method with exact linear solves; these are solved only as well as helps.");
+      iteration_table(context, *report);
     }
     end_run_list();
   }

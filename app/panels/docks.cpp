@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/panels/memory.hpp"
@@ -107,9 +108,17 @@ bool has_inspector(const AppContext& context) {
   return false;
 }
 
+bool has_wide_inspector(const AppContext& context) {
+  return context.slow != nullptr || context.lesson != nullptr;
+}
+
 void draw_inspector(AppContext& context) {
-  for (const Panel& panel : panels())
-    if (panel.dock == Dock::right && panel.relevant(context)) panel.draw(context);
+  bool first = true;
+  for (const Panel& panel : panels()) {
+    if (panel.dock != Dock::right || !panel.relevant(context)) continue;
+    if (!std::exchange(first, false)) gap(1);
+    panel.draw(context);
+  }
 }
 
 void draw_bottom_drawer(AppContext& context) {

@@ -10,6 +10,8 @@ namespace pf::app {
 void draw_left_column(AppContext& context);
 /// Whether the right column has anything to show (a particle is selected).
 bool has_inspector(const AppContext& context);
+/// Whether that is text and formulae, which need more room than numbers do.
+bool has_wide_inspector(const AppContext& context);
 void draw_inspector(AppContext& context);
 /// The plots as tabs, filling the window.
 void draw_bottom_drawer(AppContext& context);

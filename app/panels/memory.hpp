@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -13,6 +14,8 @@
 #include "app/widgets/number_control.hpp"
 
 namespace pf::app {
+
+struct Lesson;  // app/lessons/lesson.hpp
 
 struct PanelMemory {
   // The scene being edited as JSON, so that a pointer finds its value; remade when the scene changes.
@@ -32,6 +35,7 @@ struct PanelMemory {
   std::string scene_material;                  ///< chosen in the material panel
   GalleryMemory gallery;
   PlotMemory plots;
+  std::shared_ptr<const std::vector<Lesson>> lessons;  ///< those that are shipped, read when first asked for
 };
 
 /// The memory of `context`, made on the first call and brought up to date with this frame's scene, run and pins.

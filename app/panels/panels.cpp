@@ -13,8 +13,18 @@ bool moves(const AppContext& c) {
 bool solves(const AppContext& c) {
   return c.scene.integrator.type != "symplectic_euler";
 }
+bool in_lesson(const AppContext& c) {
+  return c.lesson != nullptr;
+}
+bool slow(const AppContext& c) {
+  return c.slow != nullptr;
+}
+// While a step is played slowly its own panel has their numbers.
 bool selected(const AppContext& c) {
-  return c.selected_particle.has_value();
+  return c.selected_particle.has_value() && !slow(c);
+}
+bool node_selected(const AppContext& c) {
+  return c.selected_node.has_value() && !slow(c);
 }
 
 }  // namespace
@@ -27,7 +37,10 @@ const std::vector<Panel>& panels() {
       {"Transfer", Dock::left, moves, draw_transfer_panel},
       {"Solver", Dock::left, solves, draw_solver_panel},
       {"View", Dock::left, always, draw_view_panel},
+      {"Lesson", Dock::right, in_lesson, draw_lesson_panel},
+      {"One step", Dock::right, slow, draw_phase_panel},
       {"Particle", Dock::right, selected, draw_particle_panel},
+      {"Node", Dock::right, node_selected, draw_node_panel},
       {"Energy", Dock::bottom, always, draw_energy_plot},
       {"Momentum", Dock::bottom, always, draw_momentum_plot},
       {"Convergence", Dock::bottom, solves, draw_convergence_plot},

@@ -12,7 +12,10 @@ void draw_transfer_panel(AppContext& context);
 void draw_solver_panel(AppContext& context);
 void draw_view_panel(AppContext& context);
 
+void draw_lesson_panel(AppContext& context);  // app/lessons/panel.cpp
+void draw_phase_panel(AppContext& context);   // app/inside/phase_panel.cpp
 void draw_particle_panel(AppContext& context);
+void draw_node_panel(AppContext& context);
 
 void draw_energy_plot(AppContext& context);
 void draw_momentum_plot(AppContext& context);

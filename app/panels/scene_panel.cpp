@@ -128,6 +128,7 @@ void draw_scene_panel(AppContext& context) {
   draw_gallery(context, m.gallery);
   draw_info(context);
   setting_widget(context, "/gravity");
+  if (context.highlight.starts_with("/grid")) ImGui::SetNextItemOpen(true);  // a lesson speaks of what is in there
   if (foldable("Grid, bodies and walls")) {
     setting_widget(context, "/grid/spacing");
     setting_widget(context, "/grid/basis");

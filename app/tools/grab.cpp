@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/inside/overlay.hpp"
 #include "app/widgets/units.hpp"
 
 namespace pf::app {
@@ -73,6 +74,10 @@ class GrabTool final : public Tool {
   void release(const ViewMouse&, AppContext& context) override { cancel(context); }
 
   void click(const ViewMouse& mouse, AppContext& context) override {
+    if (mouse.ctrl) {
+      select_node(mouse, context);
+      return;
+    }
     if (context.snapshot && mouse.particle && *mouse.particle < context.snapshot->id.size())
       context.selected_particle = context.snapshot->id[*mouse.particle];
     else

@@ -5,7 +5,8 @@ namespace pf::app {
 
 const std::vector<ToolInfo>& tools() {
   static const std::vector<ToolInfo> table{
-      {"grab", "Grab", "Drag pulls the material, the wheel sets how much of it; a click selects a particle.",
+      {"grab", "Grab",
+       "Drag pulls the material, the wheel sets how much of it; a click selects a particle, with Ctrl a node.",
        make_grab_tool},
   };
   return table;

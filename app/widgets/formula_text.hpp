@@ -5,8 +5,7 @@
 
 namespace pf::app {
 
-/// On a line of its own, as large as fits: at most `scale` em. A formula
-/// that cannot be read is shown as it was typed.
-void formula_text(std::string_view tex, float scale = 1.1F);
+/// On a line of its own, as large as fits: at most `scale` em. A formula that cannot be read is shown as it was typed.
+void formula_text(std::string_view tex, float scale = 1.25F);
 
 }  // namespace pf::app

@@ -235,6 +235,15 @@ bool draw_control(Widget& w) {
   return false;
 }
 
+/// A frame about what has been drawn since `corner`: a lesson speaks of it.
+void point_at(ImVec2 corner) {
+  const float pad = em(0.3F), right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  const ImVec2 low(corner.x - pad, corner.y - pad), high(right, ImGui::GetItemRectMax().y + pad);
+  ImGui::GetWindowDrawList()->AddRect(low, high, ImGui::GetColorU32(accent_color()), em(0.3F), ImDrawFlags_None,
+                                      em(0.14F));
+  if (!ImGui::IsRectVisible(low, high)) ImGui::SetScrollHereY(0.3F);
+}
+
 }  // namespace
 
 bool setting_widget(AppContext& context, const std::string& pointer, const SettingLook& look) {
@@ -248,7 +257,9 @@ bool setting_widget(AppContext& context, const std::string& pointer, const Setti
   const ordered_json shown = *value;
   Widget w{context, m, *setting, pointer, shown, look, std::string(look.label.empty() ? setting->label : look.label)};
   ImGui::PushID(pointer.c_str());
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
   const bool changed = draw_control(w);
+  if (context.highlight == pointer) point_at(corner);
   refusal_line(w);
   reset_offer(w);
   if (!look.note.empty()) muted(look.note);

@@ -1,0 +1,158 @@
+// The pictures of docs/guide.md, and those that one looks at before a change of the window is landed:
+//   PUSHFORWARD_UPDATE_DOCS=1 ./test.sh -R 'pictures of the guide'          docs/images/guide-*.png
+//   PUSHFORWARD_SCREENS=DIR ./test.sh -R 'pictures of the guide'            every view, both themes, three sizes
+#include <imgui.h>
+
+#include <cstdlib>
+#include <map>
+
+#include "app/inside/step_player.hpp"
+#include "app/lessons/desk.hpp"
+#include "app/panels/memory.hpp"
+#include "tests/app/stage.hpp"
+
+using namespace pf;
+using namespace pf::app;
+using namespace pf::app::staged;
+
+namespace {
+
+/// A window of a given size.
+struct Sized {
+  int width = 1280, height = 800;
+  float scale = 1;
+  Theme theme = Theme::dark;
+};
+
+struct Shot : Stage {
+  explicit Shot(const Sized& size) : Stage(small()) {
+    bench.reset();
+    Preferences p;
+    p.window_width = size.width;
+    p.window_height = size.height;
+    p.ui_scale = size.scale;
+    p.theme = size.theme;
+    Workbench::Setup setup;
+    setup.visible = false;
+    setup.run = false;
+    setup.folders = {folder / "config", folder / "state"};
+    setup.pictures = folder / "pictures";
+    setup.studies = folder / "studies";
+    save_preferences(p, setup.folders);
+    bench = std::make_unique<Workbench>(small(), fs::path(), setup);
+    context().session.set_rate(0);
+  }
+  void show(const std::string& scene, long count) {
+    bench->open_scene(shipped(scene), {}, false);
+    until([&] { return context().scene.name == shipped(scene).name && context().status.state == RunState::paused; });
+    ready();
+    steps(count);
+  }
+  void slow_at(PhaseKind kind, double f) {
+    bench->act(Action::slow_step);
+    until([&] { return context().slow != nullptr; });
+    StepPlayer& player = *context().slow;
+    player.playing = false;
+    for (std::size_t k = player.phases().size(); k-- > 0;)
+      if (player.phases()[k].kind == kind) player.seek(static_cast<double>(k) + f);
+  }
+  void lesson_at(std::size_t lesson, std::size_t page, bool work) {
+    open_lesson(context(), shipped_lessons().at(lesson));
+    ready();
+    for (std::size_t k = 0; k <= page; ++k) {
+      if (k > 0) context().lesson->turn_to(context(), k);
+      frames(3);
+      ready();
+      if (k == page && !work) break;
+      context().lesson->help(context());
+      const LessonPage& p = context().lesson->page();
+      until([&] { return context().lesson->seen() && context().lesson->task_done(context()); });
+      if (p.question) context().lesson->answer_ = p.question->answer;
+    }
+  }
+  Image take() {
+    frames(12);
+    until([&] { return !context().status.step_in_flight; });
+    bench->act(Action::fit);
+    frames(4);
+    return bench->screenshot();
+  }
+};
+
+using Prepare = void (*)(Shot&);
+const std::map<std::string, Prepare>& views() {
+  static const std::map<std::string, Prepare> table{
+      {"window", [](Shot& s) { s.show("welcome", 45); }},
+      {"inspector",
+       [](Shot& s) {
+         s.show("drooping-cantilever", 25);
+         s.context().selected_particle = s.context().snapshot->id[300];
+         s.context().selected_node = NodeIndex{24, -2, 0};
+         s.until([&] { return s.context().looked.has_value(); });
+       }},
+      {"slow-give",
+       [](Shot& s) {
+         s.show("drooping-cantilever", 12);
+         s.slow_at(PhaseKind::give, 0.5);
+       }},
+      {"slow-newton",
+       [](Shot& s) {
+         s.show("drooping-cantilever", 12);
+         s.slow_at(PhaseKind::iterate, 0.3);
+       }},
+      {"slow-ride",
+       [](Shot& s) {
+         s.show("spinning-disc", 5);
+         s.slow_at(PhaseKind::ride, 0.5);
+       }},
+      {"slow-3d",
+       [](Shot& s) {
+         s.show("twisted-bar", 30);
+         s.slow_at(PhaseKind::ride, 0.5);
+       }},
+      {"convergence",
+       [](Shot& s) {
+         s.show("drooping-cantilever", 8);
+         s.context().show_plot("Convergence");
+         s.frames(3);
+         s.steps(3);
+       }},
+      {"lesson", [](Shot& s) { s.lesson_at(5, 3, true); }},
+      {"lesson-newton", [](Shot& s) { s.lesson_at(4, 1, true); }},
+  };
+  return table;
+}
+
+}  // namespace
+
+TEST_CASE("pictures of the guide") {
+  NEEDS_DISPLAY();
+  const char* update = std::getenv("PUSHFORWARD_UPDATE_DOCS");
+  const char* screens = std::getenv("PUSHFORWARD_SCREENS");
+  const char* only = std::getenv("PUSHFORWARD_SCREEN");
+  std::vector<std::pair<std::string, Sized>> sizes{{"", {}}};
+  if (screens != nullptr)
+    sizes = {{"-dark", {}},
+             {"-light", {1280, 800, 1, Theme::light}},
+             {"-hd-dark", {1920, 1080, 1, Theme::dark}},
+             {"-hd-light", {1920, 1080, 1, Theme::light}},
+             {"-200-dark", {1920, 1080, 2, Theme::dark}},
+             {"-200-light", {1280, 800, 2, Theme::light}}};
+  const bool save = update != nullptr && *update == '1';
+  for (const auto& [name, prepare] : views()) {
+    // Without a wish, one view is enough to know that the pictures can be made.
+    if (only != nullptr ? name != only : screens == nullptr && !save && name != "inspector") continue;
+    for (const auto& [suffix, size] : sizes) {
+      CAPTURE(name + suffix);
+      Shot shot(size);
+      REQUIRE(shot.ready());
+      prepare(shot);
+      const Image image = shot.take();
+      CHECK(image.width == size.width);
+      CHECK(shot.context().problems.empty());
+      CHECK(shot.context().snapshot->particles > 100);
+      if (screens != nullptr) write_png(image, fs::path(screens) / (name + suffix + ".png"));
+      if (save) write_png(image, fs::path(PUSHFORWARD_SOURCE) / ("docs/images/guide-" + name + ".png"));
+    }
+  }
+}
