@@ -151,6 +151,7 @@ std::string LessonDesk::filled(const std::string& text) const {
 }
 
 void open_lesson(AppContext& context, Lesson lesson) {
+  if (context.lesson && context.scene_file.empty()) context.unsaved = false;
   context.settle_changes([&context, lesson = std::move(lesson)] {
     const bool big = context.lesson && context.lesson->big;
     const float scale = context.lesson ? context.lesson->usual_scale : context.view.ui_scale;
@@ -167,6 +168,8 @@ void close_lesson(AppContext& context) {
   if (context.lesson->big) context.view.ui_scale = context.lesson->usual_scale;
   context.lesson.reset();
   context.highlight.clear();
+  // What a lesson has opened and asked for is not the reader's work.
+  if (context.scene_file.empty()) context.unsaved = false;
 }
 
 void follow_lesson(AppContext& context) {

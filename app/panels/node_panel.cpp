@@ -16,8 +16,7 @@ namespace {
 void draw_contributors(AppContext& context, const NodeLook& n) {
   const std::string title = "From " + std::to_string(n.contributors) + " particles";
   if (!foldable(title.c_str(), true)) return;
-  constexpr auto flags =
-      ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_PadOuterX;
+  constexpr auto flags = ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings;
   if (!ImGui::BeginTable("particles", 3, flags)) return;
   for (const char* head : {"Particle", "w", "Mass"}) {
     ImGui::TableNextColumn();

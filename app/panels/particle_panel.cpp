@@ -53,10 +53,9 @@ void draw_stress(const ParticleState& p, int d) {
 
 /// The nodes that it meets: a click selects one.
 void draw_nodes(AppContext& context, const ParticleLook& look, int d) {
-  if (!foldable("Shape functions and nodes", true)) return;
+  if (!foldable("Shape functions", true)) return;
   shape_plot(context, look.state.x);
-  constexpr auto flags =
-      ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_PadOuterX;
+  constexpr auto flags = ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings;
   if (ImGui::BeginTable("nodes", 3, flags)) {
     for (const char* head : {"Node", "w", "\xe2\x88\x87w [1/m]"}) {
       ImGui::TableNextColumn();

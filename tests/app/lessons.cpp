@@ -32,7 +32,8 @@ TEST_CASE("every page of every lesson can be opened, done and left, and cuts not
       const bool work = !page.task.empty() || page.slow || !page.until.empty();
       stage.frames(2);
       if (work) {
-        CHECK_FALSE(context.lesson->done(context));
+        // A page that goes on with the last one's run may have come true already.
+        if (page.scene || !page.task.empty() || page.slow) CHECK_FALSE(context.lesson->done(context));
         context.lesson->help(context);
         REQUIRE(stage.until([&] {
           return context.lesson->task_done(context) && context.lesson->seen() && context.lesson->taken_apart();
@@ -47,11 +48,17 @@ TEST_CASE("every page of every lesson can be opened, done and left, and cuts not
       }
       stage.until([&] { return context.lesson->done(context); });
       CHECK(context.lesson->done(context));
-      stage.frames(2);
+      for (int settle = 0; settle < 4; ++settle) {  // a list that grew gets its scroll bar, then its width
+        stage->act(Action::fit);
+        stage.frames(1);
+      }
       for (const LessonLine& line : page.lines)
         if (!line.formula) CHECK(context.lesson->filled(line.text).find("…") == std::string::npos);
       for (const ImGuiWindow* window : GImGui->Windows)
-        if (window->Active && !window->Hidden) CHECK(window->ScrollMax.x <= 0);
+        if (window->Active && !window->Hidden) {
+          CAPTURE(std::string(window->Name));
+          CHECK(window->ScrollMax.x <= 0);
+        }
       if (context.slow) stage->act(Action::deselect);
       if (!context.lesson->last()) context.lesson->turn_to(context, k + 1);
     }
@@ -70,14 +77,16 @@ TEST_CASE("a wrong value is not the task, large text is for the lesson only") {
   REQUIRE(lessons.size() == 10);
   open_lesson(context, lessons[5]);  // PIC, FLIP and APIC
   REQUIRE(stage.ready());
-  context.lesson->turn_to(context, 3);
+  context.lesson->turn_to(context, 1);
   REQUIRE(stage.ready());
   stage.frames(3);
   CHECK(memory(context).open_left == 3);  // the panel with the marked control is open
   CHECK_FALSE(context.lesson->task_done(context));
-  CHECK(context.change({{"/transfer/type", "flip"}}));
-  CHECK_FALSE(context.lesson->task_done(context));
   CHECK(context.change({{"/transfer/type", "apic"}}));
+  CHECK_FALSE(context.lesson->task_done(context));
+  CHECK(context.change({{"/transfer/type", "flip"}}));
+  CHECK_FALSE(context.lesson->task_done(context));  // its ratio is not the one that is asked for
+  CHECK(context.change({{"/transfer/flip_ratio", 1}}));
   CHECK(context.lesson->task_done(context));
   CHECK_FALSE(context.lesson->seen());
   const float scale = context.view.ui_scale;
