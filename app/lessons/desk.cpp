@@ -77,9 +77,9 @@ Constants LessonDesk::values(const AppContext& context) const {
 void LessonDesk::freeze(const AppContext& context) {
   seen_ = true;
   shown_ = values(context);
-  for (const auto& [name, expression] : page().keep) {
-    std::erase_if(kept_, [&](const auto& k) { return k.first == name; });
-    kept_.emplace_back(name, measured(expression, shown_));
+  for (const auto& keep : page().keep) {
+    std::erase_if(kept_, [&](const auto& k) { return k.first == keep.first; });
+    kept_.emplace_back(keep.first, measured(keep.second, shown_));
   }
   shown_ = values(context);
 }

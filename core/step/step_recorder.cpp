@@ -120,8 +120,15 @@ template <int D>
 void StepRecorder<D>::moved(const Motion<D>& to) {
   record_->accepted = true;
   if (!all()) return;
+  // Positions stand in the present order, the rest in the next plan's where it is foreseen.
   const std::size_t n = particles_.size();
-  record_->after = {numbers(to.x, n), numbers(to.v, n), numbers(to.F, n)};
+  record_->after.x = numbers(to.x, n);
+  for (std::size_t p = 0; p < n; ++p) {
+    const std::size_t at = to.place ? to.place[p] : p;
+    const Mat<D>& F = to.F ? to.F[at] : particles_.F[p];
+    record_->after.v.insert(record_->after.v.end(), to.v[at].data(), to.v[at].data() + D);
+    record_->after.F.insert(record_->after.F.end(), F.data(), F.data() + D * D);
+  }
 }
 
 template class StepRecorder<2>;
