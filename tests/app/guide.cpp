@@ -87,8 +87,14 @@ const std::map<std::string, Prepare>& views() {
        [](Shot& s) {
          s.show("drooping-cantilever", 25);
          s.context().selected_particle = s.context().snapshot->id[300];
-         s.context().selected_node = NodeIndex{24, -2, 0};
          s.until([&] { return s.context().looked.has_value(); });
+       }},
+      {"node",
+       [](Shot& s) {
+         s.show("stretched-strip", 40);
+         s.context().selected_node = NodeIndex{0, 6, 0};
+         s.steps(1);
+         s.until([&] { return s.context().looked && s.context().looked->node && s.context().looked->node->residual; });
        }},
       {"slow-give",
        [](Shot& s) {
