@@ -123,28 +123,39 @@ void draw_worst(Painter& painter, const ViewMap& map, const AppContext& context)
   mark_label(painter, {at->x + 0.4F * map.em(), at->y}, text, map.em());
 }
 
+Vec3 particle_place(const Snapshot& s, std::size_t p) {
+  const auto d = static_cast<std::size_t>(s.dimension);
+  Vec3 x = Vec3::Zero();
+  for (std::size_t a = 0; a < d; ++a) x[static_cast<int>(a)] = s.x[p * d + a];
+  return x;
+}
+
+/// Whose shape functions are shown: the selected particle's, as it is in this picture, else those under the mouse.
+std::optional<Vec3> point_of_interest(const ViewMouse* mouse, const AppContext& context) {
+  const Snapshot& s = *context.snapshot;
+  if (context.selected_particle) {
+    const auto found = std::find(s.id.begin(), s.id.end(), *context.selected_particle);
+    if (found == s.id.end()) return std::nullopt;
+    return particle_place(s, static_cast<std::size_t>(found - s.id.begin()));
+  }
+  if (!context.view.show_shapes || mouse == nullptr) return std::nullopt;
+  if (s.dimension == 2) return mouse->origin;
+  if (!mouse->particle || *mouse->particle >= s.particles) return std::nullopt;
+  return particle_place(s, *mouse->particle);
+}
+
 }  // namespace
 
 void draw_inside(Painter& painter, const ViewMap& map, const ViewMouse* mouse, const AppContext& context) {
   if (!context.snapshot) return;
   if (context.slow) return draw_slow_step(painter, map, context);
   const Snapshot& s = *context.snapshot;
-  const bool fresh = context.looked && context.looked->step == s.report.step;
-  if (context.selected_particle && fresh && context.looked->particle) {
-    const ParticleLook& p = *context.looked->particle;
-    draw_stencil(painter, map, p.state.x, p.nodes, s.spacing);
-    if (s.dimension == 2 && !p.nodes.empty()) draw_curves(painter, map, p.state.x, p.nodes, context);
-  } else if (context.view.show_shapes && mouse != nullptr && !context.selected_particle) {
-    const BasisInfo* basis = find_basis(context.scene.grid.basis);
-    std::optional<Vec3> at;
-    if (s.dimension == 2) at = mouse->origin;
-    if (s.dimension == 3 && mouse->particle && *mouse->particle < s.particles)
-      at = Vec3(s.x[3 * *mouse->particle], s.x[3 * *mouse->particle + 1], s.x[3 * *mouse->particle + 2]);
-    if (at && basis != nullptr) {
-      const std::vector<NodeWeight> nodes = weights_at(*basis, s.spacing, s.dimension, *at);
-      draw_stencil(painter, map, *at, nodes, s.spacing);
-      if (s.dimension == 2) draw_curves(painter, map, *at, nodes, context);
-    }
+  const BasisInfo* basis = find_basis(context.scene.grid.basis);
+  const std::optional<Vec3> at = point_of_interest(mouse, context);
+  if (at && basis != nullptr) {
+    const std::vector<NodeWeight> nodes = weights_at(*basis, s.spacing, s.dimension, *at);
+    draw_stencil(painter, map, *at, nodes, s.spacing);
+    if (s.dimension == 2) draw_curves(painter, map, *at, nodes, context);
   }
   draw_worst(painter, map, context);
   if (context.selected_node) draw_node(painter, map, *context.selected_node, context);
@@ -162,7 +173,7 @@ bool select_node(const ViewMouse& mouse, AppContext& context) {
   }
   const BasisInfo* basis = find_basis(context.scene.grid.basis);
   if (!mouse.particle || *mouse.particle >= s.particles || basis == nullptr) return false;
-  const Vec3 x(s.x[3 * *mouse.particle], s.x[3 * *mouse.particle + 1], s.x[3 * *mouse.particle + 2]);
+  const Vec3 x = particle_place(s, *mouse.particle);
   double nearest = INFINITY;
   for (const NodeWeight& n : weights_at(*basis, s.spacing, 3, x)) {
     const Vec3 offset = place_of(n.node, s.spacing) - mouse.origin;

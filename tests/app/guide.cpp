@@ -93,6 +93,8 @@ const std::map<std::string, Prepare>& views() {
        [](Shot& s) {
          s.show("stretched-strip", 40);
          s.context().selected_node = NodeIndex{0, 6, 0};
+         s.bench->act(Action::fit);
+         s.frames(3);  // from now on steps keep their residuals
          s.steps(1);
          s.until([&] { return s.context().looked && s.context().looked->node && s.context().looked->node->residual; });
        }},
