@@ -9,6 +9,7 @@
 
 #include "core/energies/elastic.hpp"
 #include "core/grid/mass.hpp"
+#include "core/grid/stencil.hpp"
 #include "core/transfers/transfer.hpp"
 #include "tests/materials/cases.hpp"
 
@@ -71,11 +72,12 @@ Particles<D> scattered(int count, double spacing, double size, unsigned seed, in
   return particles;
 }
 
-/// N and N' of the B-splines at r = (x - x_i)/dx: the formulas of THEORY T2, independent of core/bases.
+/// N of the B-splines at r = (x - x_i)/dx, not averaged: the formulas of THEORY T2, independent of core/bases.
 inline double spline(std::string_view basis, double r) {
   r = std::abs(r);
-  if (basis == "linear") return r < 1 ? 1 - r : 0;
-  if (basis == "quadratic") return r < 0.5 ? 0.75 - r * r : r < 1.5 ? 0.5 * (1.5 - r) * (1.5 - r) : 0;
+  if (basis == "linear" || basis == "gimp") return r < 1 ? 1 - r : 0;
+  if (basis == "quadratic" || basis == "quadratic_gimp")
+    return r < 0.5 ? 0.75 - r * r : r < 1.5 ? 0.5 * (1.5 - r) * (1.5 - r) : 0;
   return r < 1 ? 2.0 / 3 - r * r + r * r * r / 2 : r < 2 ? (2 - r) * (2 - r) * (2 - r) / 6 : 0;
 }
 
@@ -85,6 +87,40 @@ double shape(std::string_view basis, double spacing, const Vec<D>& node, const V
   double N = 1;
   for (int a = 0; a < D; ++a) N *= spline(basis, (x[a] - node[a]) / spacing);
   return N;
+}
+
+/// The bases whose weights are the splines' own at the particle.
+inline std::vector<BasisInfo> sampled_bases() {
+  std::vector<BasisInfo> list;
+  for (const BasisInfo& basis : bases())
+    if (!basis.averaged()) list.push_back(basis);
+  return list;
+}
+
+/// Calls f(particle, node, weight, gradient) for every pair that the plan couples.
+template <int D, class F>
+void for_each_pair(const Plan<D>& plan, F&& f) {
+  for (const Block<D>& block : plan.blocks())
+    for (int i = block.batch_begin; i < block.batch_end; ++i) {
+      const Batch& batch = plan.batches()[static_cast<std::size_t>(i)];
+      Wide<lane_count<D>> room[2 * D * max_nodes_per_axis];
+      const Wide<lane_count<D>>* const w = plan.weights(i, room);
+      with_nodes_per_axis(plan, [&](auto k) {
+        constexpr int K = k;
+        for (int n = 0; n < (D == 2 ? K * K : K * K * K); ++n) {
+          const int node = plan.node_table(block)[batch.node + node_offset<D, K>(n)];
+          if (node < 0 && decltype(k)::dense) continue;  // no domain of this batch reaches it
+          Wide<lane_count<D>> gradient[D];
+          node_gradient<D, K, decltype(k)::dense>(w, n, gradient);
+          const Wide<lane_count<D>> N = node_value<D, K, decltype(k)::dense>(w, n);
+          for (int lane = 0; lane < batch.count; ++lane) {
+            Vec<D> grad;
+            for (int a = 0; a < D; ++a) grad[a] = gradient[a][lane];
+            f(static_cast<std::size_t>(batch.first + lane), node, N[lane], grad);
+          }
+        }
+      });
+    }
 }
 
 /// Particles, their plan, laws and mass: what a step works with.

@@ -31,6 +31,15 @@ struct BasisInfo {
   /// values an axis. `four`: two axes, `eight`: three.
   void (*four)(const FourNumbers* t, FourNumbers* N, FourNumbers* dN);
   void (*eight)(const EightNumbers* t, EightNumbers* N, EightNumbers* dN);
+  /// Of bases that are averaged over the particle's own domain (core/grid/domain.hpp); null: sampled at its centre.
+  /// One axis: the means of N and N' over [t - width/2, t + width/2], width > 0, which must not reach beyond
+  /// [offset - 1/2, offset + 3/2]. `weights`, `four` and `eight` are then those of the spline itself, among as many
+  /// nodes.
+  void (*mean_four)(const FourNumbers& t, const FourNumbers& width, FourNumbers* N, FourNumbers* dN) = nullptr;
+  void (*mean_eight)(const EightNumbers& t, const EightNumbers& width, EightNumbers* N, EightNumbers* dN) = nullptr;
+  bool averaged() const { return mean_four != nullptr; }
+  /// Does not interpolate at nodes: at walls its functions can be changed so that they do (core/grid/edges.hpp).
+  bool bends = false;
 };
 
 /// `values` (t, N, dN) of one axis, for each axis.

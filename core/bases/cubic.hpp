@@ -36,6 +36,9 @@ inline constexpr BasisInfo cubic_basis{"cubic",
                                        1,
                                        1.0 / 3,
                                        all_axes<2, 4, FourNumbers, cubic_values<FourNumbers>>,
-                                       all_axes<3, 4, EightNumbers, cubic_values<EightNumbers>>};
+                                       all_axes<3, 4, EightNumbers, cubic_values<EightNumbers>>,
+                                       nullptr,
+                                       nullptr,
+                                       true};
 
 }  // namespace pf

@@ -34,6 +34,9 @@ inline constexpr BasisInfo quadratic_basis{"quadratic",
                                            0.5,
                                            0.25,
                                            all_axes<2, 3, FourNumbers, quadratic_values<FourNumbers>>,
-                                           all_axes<3, 3, EightNumbers, quadratic_values<EightNumbers>>};
+                                           all_axes<3, 3, EightNumbers, quadratic_values<EightNumbers>>,
+                                           nullptr,
+                                           nullptr,
+                                           true};
 
 }  // namespace pf

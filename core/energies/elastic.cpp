@@ -12,13 +12,13 @@ template <int D>
 void ElasticEnergy<D>::deform(const double* local, Chunk& chunk) const {
   with_nodes_per_axis(plan_, [&](auto k) {
     constexpr int K = k;
-    using S = Stencil<D, K, D>;
+    using S = Stencil<D, K, D, decltype(k)::dense>;
     for (int i = chunk.batch_begin; i < chunk.batch_end; ++i) {
       const Batch& batch = plan_.batches()[index(i)];
       Wide<W> room[2 * D * K];
       const Wide<W>* const w = plan_.weights(i, room);
       Wide<W> gradient[D][D];
-      S::template gather<false, true>(local + batch.node * D, w, w + D * K, nullptr, gradient);
+      S::template gather<false, true>(local + batch.node * D, w, w + S::values, nullptr, gradient);
       Wide<W> F_hat[D * D], F_n[D * D], F[D * D];
       for (int a = 0; a < D; ++a)
         for (int b = 0; b < D; ++b) F_hat[a + D * b] = a == b ? gradient[a][b] + 1.0 : gradient[a][b];
@@ -107,7 +107,7 @@ double ElasticEnergy<D>::sum_force_at_rest(Vector& g) {
   memory_.block_sum.resize(plan_.blocks().size());
   with_nodes_per_axis(plan_, [&](auto k) {
     constexpr int K = k;
-    using S = Stencil<D, K, D>;
+    using S = Stencil<D, K, D, decltype(k)::dense>;
     for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int b) {
       double local[S::nodes * D] = {};
       double energy = 0;
@@ -120,7 +120,7 @@ double ElasticEnergy<D>::sum_force_at_rest(Vector& g) {
           const Wide<W>* const w = plan_.weights(i, room);
           Wide<W> flux[D][D];
           batch_flux(batch, chunk.P + (batch.first - chunk.begin), flux);
-          S::template scatter<false, true>(nullptr, flux, w, w + D * K, local + batch.node * D);
+          S::template scatter<false, true>(nullptr, flux, w, w + S::values, local + batch.node * D);
         }
       });
       memory_.block_sum[index(b)] = energy;
@@ -152,7 +152,7 @@ namespace {
 /// Adds s_i = |flux grad N_i| of a batch (THEORY T4) to the cell's nodes. Sizes are not linear, so there is no
 /// factorisation over the axes; roots are taken in single precision, of numbers made near one: a yardstick need not be
 /// exact.
-template <int D, int K>
+template <int D, int K, bool Dense>
 inline void scatter_sizes(const Wide<lane_count<D>> (*flux)[D], const Wide<lane_count<D>>* w, double* out) {
   constexpr int lanes = lane_count<D>, edge = Stencil<D, K, 1>::edge, z = D - 1;
   using Lane = Wide<lanes>;
@@ -163,6 +163,24 @@ inline void scatter_sizes(const Wide<lane_count<D>> (*flux)[D], const Wide<lane_
   const Lane inverse = whole > 0 ? 1 / whole : Lane{};
   for (int a = 0; a < D; ++a)
     for (int c = 0; c < D; ++c) T[a][c] = flux[a][c] * inverse;
+  const auto add = [&](int offset, const Lane& sum) {
+    Narrow<lanes> root = __builtin_convertvector(sum, Narrow<lanes>);
+    for (int lane = 0; lane < lanes; ++lane) root[lane] = __builtin_sqrtf(root[lane]);
+    out[offset] += sum_lanes(Lane(whole * widen<lanes>(root)));
+  };
+  if constexpr (Dense) {
+    for (int n = 0; n < (D == 2 ? K * K : K * K * K); ++n) {
+      Lane grad[D], sum{};
+      node_gradient<D, K, true>(w, n, grad);
+      for (int a = 0; a < D; ++a) {
+        Lane f = T[a][0] * grad[0];
+        for (int c = 1; c < D; ++c) f += T[a][c] * grad[c];
+        sum += f * f;
+      }
+      add(node_offset<D, K>(n), sum);
+    }
+    return;
+  }
   const Lane *const N = w, *const dN = w + D * K;
   for (int k = 0; k < (D == 3 ? K : 1); ++k)
     for (int j = 0; j < K; ++j) {
@@ -181,9 +199,7 @@ inline void scatter_sizes(const Wide<lane_count<D>> (*flux)[D], const Wide<lane_
           const Lane f = along[a] * dN[i] + across[a] * N[i];
           sum += f * f;
         }
-        Narrow<lanes> root = __builtin_convertvector(sum, Narrow<lanes>);
-        for (int lane = 0; lane < lanes; ++lane) root[lane] = __builtin_sqrtf(root[lane]);
-        out[i + edge * (j + edge * k)] += sum_lanes(Lane(whole * widen<lanes>(root)));
+        add(i + edge * (j + edge * k), sum);
       }
     }
 }
@@ -195,7 +211,7 @@ double ElasticEnergy<D>::gradient(const Vector& u, Vector& g, Vector& magnitude)
   memory_.block_sum.resize(plan_.blocks().size());
   with_nodes_per_axis(plan_, [&](auto k) {
     constexpr int K = k;
-    using S = Stencil<D, K, D>;
+    using S = Stencil<D, K, D, decltype(k)::dense>;
     for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int b) {
       double local[S::nodes * D] = {};
       double local_size[S::nodes] = {};
@@ -209,8 +225,8 @@ double ElasticEnergy<D>::gradient(const Vector& u, Vector& g, Vector& magnitude)
           const Wide<W>* const w = plan_.weights(i, room);
           Wide<W> flux[D][D];
           batch_flux(batch, chunk.P + (batch.first - chunk.begin), flux);
-          S::template scatter<false, true>(nullptr, flux, w, w + D * K, local + batch.node * D);
-          scatter_sizes<D, K>(flux, w, local_size + batch.node);
+          S::template scatter<false, true>(nullptr, flux, w, w + S::values, local + batch.node * D);
+          scatter_sizes<D, K, decltype(k)::dense>(flux, w, local_size + batch.node);
         }
       });
       memory_.block_sum[index(b)] = energy;
@@ -253,7 +269,7 @@ void ElasticEnergy<D>::hessian_product(const Vector& p, Vector& Hp) {
   constexpr int n2 = D * D;
   with_nodes_per_axis(plan_, [&](auto k) {
     constexpr int K = k;
-    using S = Stencil<D, K, D>;
+    using S = Stencil<D, K, D, decltype(k)::dense>;
     for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int) {
       double local[S::nodes * D], result[S::nodes * D] = {};
       load_block<D, K, D>(plan_, block, p.data(), local);
@@ -267,7 +283,7 @@ void ElasticEnergy<D>::hessian_product(const Vector& p, Vector& Hp) {
         for (int byte = 0; byte < components * static_cast<int>(sizeof(Narrow<W>)); byte += line)
           __builtin_prefetch(reinterpret_cast<const char*>(A) + ahead + byte);
         Wide<W> gradient[D][D];
-        S::template gather<false, true>(local + batch.node * D, w, w + D * K, nullptr, gradient);
+        S::template gather<false, true>(local + batch.node * D, w, w + S::values, nullptr, gradient);
         // Each number of the symmetric tangent is read once and used twice.
         Wide<W> flux[D][D] = {};
 #pragma GCC unroll 9
@@ -278,7 +294,7 @@ void ElasticEnergy<D>::hessian_product(const Vector& p, Vector& Hp) {
             flux[row % D][row / D] += a * gradient[column % D][column / D];
             if (column != row) flux[column % D][column / D] += a * gradient[row % D][row / D];
           }
-        S::template scatter<false, true>(nullptr, flux, w, w + D * K, result + batch.node * D);
+        S::template scatter<false, true>(nullptr, flux, w, w + S::values, result + batch.node * D);
       }
       add_block<D, K, D>(plan_, block, result, Hp.data());
     });

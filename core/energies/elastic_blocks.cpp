@@ -67,18 +67,40 @@ inline void scatter_diagonal(const Narrow<lane_count<D>>* A, const Wide<lane_cou
     }
 }
 
+/// The same of dense weights.
+template <int D, int K>
+inline void scatter_dense_diagonal(const Narrow<lane_count<D>>* A, const Wide<lane_count<D>>* w, double* out) {
+  using Lane = Wide<lane_count<D>>;
+  constexpr int C = D * (D + 1) / 2, count = D == 2 ? K * K : K * K * K;
+  for (int n = 0; n < count; ++n) {
+    Lane grad[D], T[D][D][D], row[C];
+    node_gradient<D, K, true>(w, n, grad);
+    contract<D>(A, grad, T);
+    for (int a = 0, m = 0; a < D; ++a)
+      for (int c = a; c < D; ++c, ++m) {
+        row[m] = T[a][c][0] * grad[0];
+        for (int b = 1; b < D; ++b) row[m] += T[a][c][b] * grad[b];
+      }
+    add_lane_sums<C>(row, out + node_offset<D, K>(n) * C);
+  }
+}
+
 template <int D>
 void ElasticEnergy<D>::diagonal(std::vector<Mat<D>>& blocks) {
   constexpr int symmetric = D * (D + 1) / 2;
   with_nodes_per_axis(plan_, [&](auto k) {
     constexpr int K = k;
-    using S = Stencil<D, K, 1>;
+    using S = Stencil<D, K, 1, decltype(k)::dense>;
     for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int) {
       double local[S::nodes * symmetric] = {};
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
         Wide<W> room[2 * D * K];
         const Wide<W>* const w = plan_.weights(i, room);
-        scatter_diagonal<D, K>(tangent_ + index(i) * components, w, local + plan_.batches()[index(i)].node * symmetric);
+        double* const out = local + plan_.batches()[index(i)].node * symmetric;
+        if constexpr (decltype(k)::dense)
+          scatter_dense_diagonal<D, K>(tangent_ + index(i) * components, w, out);
+        else
+          scatter_diagonal<D, K>(tangent_ + index(i) * components, w, out);
       }
       const std::int32_t* table = plan_.node_table(block);
       for (int n = 0; n < S::nodes; ++n) {
@@ -100,7 +122,6 @@ template <int D>
 void ElasticEnergy<D>::assemble(BlockMatrix<D>& H) {
   with_nodes_per_axis(plan_, [&](auto k) {
     constexpr int K = k, count = D == 2 ? K * K : K * K * K;
-    constexpr int edge = Stencil<D, K, 1>::edge;
     for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int) {
       const std::int32_t* table = plan_.node_table(block);
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
@@ -108,13 +129,14 @@ void ElasticEnergy<D>::assemble(BlockMatrix<D>& H) {
         const Narrow<W>* A = tangent_ + index(i) * components;
         Wide<W> room[2 * D * K], grad[count][D];
         const Wide<W>* const w = plan_.weights(i, room);
-        for (int n = 0; n < count; ++n) node_gradient<D, K>(w, n, grad[n]);
+        for (int n = 0; n < count; ++n) node_gradient<D, K, decltype(k)::dense>(w, n, grad[n]);
         for (int n = 0; n < count; ++n) {
           Wide<W> T[D][D][D];
           contract<D>(A, grad[n], T);
-          const std::int32_t column = table[batch.node + n % K + edge * (n / K % K + edge * (n / (K * K)))];
+          const std::int32_t column = table[batch.node + node_offset<D, K>(n)];
+          if (column < 0) continue;
           for (int m = 0; m < count; ++m) {
-            const std::int32_t row = table[batch.node + m % K + edge * (m / K % K + edge * (m / (K * K)))];
+            const std::int32_t row = table[batch.node + node_offset<D, K>(m)];
             if (row < column) continue;
             Mat<D>& h = H.at(row, column);
             for (int a = 0; a < D; ++a)

@@ -9,21 +9,6 @@ inline std::size_t index(std::int32_t i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Gradients of the cell's node (ix, iy, iz), a lane a particle.
-template <int D, int K>
-inline void node_gradient(const Wide<lane_count<D>>* w, int n, Wide<lane_count<D>>* grad) {
-  const int ix = n % K, iy = n / K % K;
-  if constexpr (D == 2) {
-    grad[0] = w[D * K + ix] * w[K + iy];
-    grad[1] = w[ix] * w[D * K + K + iy];
-  } else {
-    const int iz = n / (K * K);
-    grad[0] = w[D * K + ix] * w[K + iy] * w[2 * K + iz];
-    grad[1] = w[ix] * w[D * K + K + iy] * w[2 * K + iz];
-    grad[2] = w[ix] * w[K + iy] * w[D * K + 2 * K + iz];
-  }
-}
-
 /// Some batches of a block at a deformed state, few enough to stay in a first-level cache.
 template <int D>
 struct ElasticChunk {

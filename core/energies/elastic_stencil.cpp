@@ -10,7 +10,7 @@ namespace {
 
 /// The blocks H_mn = sum_p sum_b grad_m[b] (sum_d A_p[(a b), (c d)] grad_n[d]) of one batch. Nodes along the layout's
 /// fastest axis and the components c lie beside each other in a vector: a whole piece of a matrix row at a time.
-template <int D, int K>
+template <int D, int K, bool Dense>
 class CellBlocks {
  public:
   static constexpr int R = K - 1, lines = D == 2 ? K : K * K, nodes = K * lines;
@@ -25,7 +25,12 @@ class CellBlocks {
     count_ = plan.batches()[static_cast<std::size_t>(batch)].count;
     Wide<lane_count<D>> room[2 * D * K];
     const Wide<lane_count<D>>* const w = plan.weights(batch, room);
-    for (int lane = 0; lane < count_; ++lane) set_particle(w, tangent, lane);
+    for (int lane = 0; lane < count_; ++lane) {
+      if constexpr (Dense)
+        set_dense_particle(w, tangent, lane);
+      else
+        set_particle(w, tangent, lane);
+    }
   }
 
   /// Adds all blocks to the rows of the cell's nodes; node n of the layout's own axes is in row rows[n].
@@ -36,6 +41,43 @@ class CellBlocks {
   }
 
  private:
+  /// gradient_[p], and along[d]: the same of each line, a node's D components alike.
+  void set_gradients(const Wide<lane_count<D>>* w, int p, Lanes (*along)[lines]) {
+    // A node of the layout's own axes among the weights, x fastest.
+    int step[D];
+    for (int k = 0; k < D; ++k) {
+      const int axis = axes_[static_cast<std::size_t>(k)];
+      step[k] = axis == 0 ? 1 : axis == 1 ? K : K * K;
+    }
+    for (int n = 0; n < nodes; ++n) {
+      const int at = n % K * step[0] + n / K % K * step[1] + (D == 3 ? n / (K * K) * step[D - 1] : 0);
+      for (int d = 0; d < D; ++d) gradient_[p][n][d] = static_cast<float>(w[(1 + d) * nodes + at][p]);
+    }
+    for (int d = 0; d < D; ++d)
+      for (int l = 0; l < lines; ++l)
+        for (int j = 0; j < lanes; ++j) along[d][l][j] = j < used ? gradient_[p][j / D + K * l][d] : 0;
+  }
+
+  void set_dense_particle(const Wide<lane_count<D>>* w, const Narrow<lane_count<D>>* tangent, int p) {
+    Lanes along[D][lines];
+    set_gradients(w, p, along);
+    float A[D * D][D * D + lanes];
+    unpack(tangent, p, A);
+    for (int b = 0; b < D; ++b)
+      for (int a = 0; a < D; ++a)
+        for (int l = 0; l < lines; ++l) {
+          Lanes sum = repeat(A[a + D * b]) * along[0][l];
+          for (int d = 1; d < D; ++d) sum += repeat(A[a + D * b] + D * d) * along[d][l];
+          half_[p][b][a][l] = sum;
+        }
+  }
+
+  static void unpack(const Narrow<lane_count<D>>* tangent, int p, float (*A)[D * D + lanes]) {
+    for (int row = 0; row < D * D; ++row)
+      for (int column = 0; column < D * D; ++column)
+        A[row][column] = tangent[packed_tangent_index<D>(std::min(row, column), std::max(row, column))][p];
+  }
+
   void set_particle(const Wide<lane_count<D>>* w, const Narrow<lane_count<D>>* tangent, int p) {
     float N[2][D][K];  // N and its derivative, along the layout's axes
     for (int k = 0; k < D; ++k)
@@ -53,9 +95,7 @@ class CellBlocks {
       for (int i = 0; i < K; ++i)
         for (int d = 0; d < D; ++d) gradient_[p][i + K * l][d] = N[place_[d] == 0][0][i] * outer[d][l];
     float A[D * D][D * D + lanes];
-    for (int row = 0; row < D * D; ++row)
-      for (int column = 0; column < D * D; ++column)
-        A[row][column] = tangent[packed_tangent_index<D>(std::min(row, column), std::max(row, column))][p];
+    unpack(tangent, p, A);
     for (int b = 0; b < D; ++b)
       for (int a = 0; a < D; ++a) {
         Lanes part[D];
@@ -96,6 +136,7 @@ class CellBlocks {
       // Beyond the `used` lanes are zeros; they may reach into the next line, which is the same row's: its own line is
       // the last one.
       for (int i = 0; i < K; ++i) {
+        if (Dense && rows[i + K * m] < 0) continue;
         float* const to = H.row(rows[i + K * m]) + (line * D + a) * width + D * (R - i);
         Lanes at;
         __builtin_memcpy(&at, to, sizeof at);
@@ -112,6 +153,7 @@ class CellBlocks {
   /// A row's own line: the nodes before node i of the line, and itself.
   template <int i>
   static void add_own_line(StencilMatrix<D>& H, std::int32_t row, int a, const Lanes& sum) {
+    if (Dense && row < 0) return;
     float* const to = H.row(row) + (H.layout->lines() - 1) * D * width + a * width + D * (R - i);
     for (int j = 0; j < D * i; ++j) to[j] += sum[j];
     for (int c = 0; c < D; ++c) H.diagonal_block(row)[a + D * c] += sum[D * i + c];
@@ -130,7 +172,7 @@ template <int D>
 bool ElasticEnergy<D>::assemble_stencil(StencilMatrix<D>& H, const std::vector<std::int32_t>& row_of) {
   with_nodes_per_axis(plan_, [&](auto k) {
     constexpr int K = k, edge = Stencil<D, K, 1>::edge;
-    using Blocks = CellBlocks<D, K>;
+    using Blocks = CellBlocks<D, K, decltype(k)::dense>;
     const std::array<int, D>& axes = H.layout->axes();
     int offset[Blocks::nodes];
     for (int n = 0; n < Blocks::nodes; ++n) {
@@ -146,8 +188,10 @@ bool ElasticEnergy<D>::assemble_stencil(StencilMatrix<D>& H, const std::vector<s
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
         const Batch& batch = plan_.batches()[static_cast<std::size_t>(i)];
         std::int32_t rows[Blocks::nodes];
-        for (int n = 0; n < Blocks::nodes; ++n)
-          rows[n] = row_of[static_cast<std::size_t>(table[batch.node + offset[n]])];
+        for (int n = 0; n < Blocks::nodes; ++n) {
+          const std::int32_t node = table[batch.node + offset[n]];
+          rows[n] = node < 0 ? -1 : row_of[static_cast<std::size_t>(node)];
+        }
         blocks.compute(plan_, i, tangent_ + static_cast<std::size_t>(i) * components);
         blocks.add_to(H, rows);
       }

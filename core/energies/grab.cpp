@@ -14,7 +14,6 @@ GrabSpring<D>::GrabSpring(const Plan<D>& plan, const Particles<D>& particles, co
   std::unordered_map<std::uint32_t, double> weight;
   for (std::size_t i = 0; i < held.id.size(); ++i) weight.emplace(held.id[i], held.weight[i]);
   std::map<std::int32_t, double> nodes;
-  const int K = plan.nodes_per_axis(), edge = block_edge + K - 1;
   for (const Block<D>& block : plan.blocks())
     for (int i = block.batch_begin; i < block.batch_end; ++i) {
       const Batch& batch = plan.batches()[static_cast<std::size_t>(i)];
@@ -25,12 +24,13 @@ GrabSpring<D>::GrabSpring(const Plan<D>& plan, const Particles<D>& particles, co
         start_ += found->second * particles.x[p];
         Wide<lane_count<D>> room[2 * D * max_nodes_per_axis];
         const Wide<lane_count<D>>* const w = plan.weights(i, room);
-        for (int n = 0; n < (D == 2 ? K * K : K * K * K); ++n) {
-          double N = w[n % K][lane] * w[K + n / K % K][lane];
-          if constexpr (D == 3) N *= w[2 * K + n / (K * K)][lane];
-          nodes[plan.node_table(block)[batch.node + n % K + edge * (n / K % K + edge * (n / (K * K)))]] +=
-              found->second * N;
-        }
+        with_nodes_per_axis(plan, [&](auto k) {
+          constexpr int K = k;
+          for (int n = 0; n < (D == 2 ? K * K : K * K * K); ++n) {
+            const std::int32_t node = plan.node_table(block)[batch.node + node_offset<D, K>(n)];
+            if (node >= 0) nodes[node] += found->second * node_value<D, K, decltype(k)::dense>(w, n)[lane];
+          }
+        });
       }
     }
   nodes_.assign(nodes.begin(), nodes.end());

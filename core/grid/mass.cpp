@@ -21,14 +21,6 @@ Wide<lane_count<D>> masses(const Particles<D>& particles, const Batch& batch) {
   return m;
 }
 
-/// N_i of the cell's node n.
-template <int D, int K>
-Wide<lane_count<D>> node_value(const Wide<lane_count<D>>* w, int n) {
-  Wide<lane_count<D>> N = w[n % K] * w[K + n / K % K];
-  if constexpr (D == 3) N *= w[2 * K + n / (K * K)];
-  return N;
-}
-
 }  // namespace
 
 template <int D>
@@ -45,15 +37,15 @@ void MassMatrix<D>::compute_diagonal() {
   diagonal_ = Vector::Zero(plan_.node_count());
   with_nodes_per_axis(plan_, [&](auto k) {
     constexpr int K = k;
-    using S = Stencil<D, K, 1>;
+    using S = Stencil<D, K, 1, decltype(k)::dense>;
     for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int) {
       double local[S::nodes] = {};
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
         const Batch& batch = plan_.batches()[at(i)];
         Wide<lane_count<D>> room[2 * D * K];
         const Wide<lane_count<D>>* const w = plan_.weights(i, room);
-        Wide<lane_count<D>> squares[D * K];
-        for (int r = 0; r < D * K; ++r) squares[r] = w[r] * w[r];
+        Wide<lane_count<D>> squares[S::values];
+        for (int r = 0; r < S::values; ++r) squares[r] = w[r] * w[r];
         const Wide<lane_count<D>> m = masses(particles_, batch);
         S::template scatter<true, false>(&m, nullptr, squares, squares, local + batch.node);
       }
@@ -73,7 +65,7 @@ void MassMatrix<D>::multiply(const Vector& v, Vector& out) const {
   out.setZero();
   with_nodes_per_axis(plan_, [&](auto k) {
     constexpr int K = k;
-    using S = Stencil<D, K, D>;
+    using S = Stencil<D, K, D, decltype(k)::dense>;
     for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int) {
       double local[S::nodes * D], result[S::nodes * D] = {};
       load_block<D, K, D>(plan_, block, v.data(), local);
@@ -82,10 +74,10 @@ void MassMatrix<D>::multiply(const Vector& v, Vector& out) const {
         Wide<lane_count<D>> room[2 * D * K];
         const Wide<lane_count<D>>* const w = plan_.weights(i, room);
         Wide<lane_count<D>> value[D];
-        S::template gather<true, false>(local + batch.node * D, w, w + D * K, value, nullptr);
+        S::template gather<true, false>(local + batch.node * D, w, w + S::values, value, nullptr);
         const Wide<lane_count<D>> m = masses(particles_, batch);
         for (int a = 0; a < D; ++a) value[a] *= m;
-        S::template scatter<true, false>(value, nullptr, w, w + D * K, result + batch.node * D);
+        S::template scatter<true, false>(value, nullptr, w, w + S::values, result + batch.node * D);
       }
       add_block<D, K, D>(plan_, block, result, out.data());
     });
@@ -144,7 +136,6 @@ void MassMatrix<D>::assemble(double factor, BlockMatrix<D>& H) const {
   factor *= 1 - blend_;
   with_nodes_per_axis(plan_, [&](auto k) {
     constexpr int K = k, count = D == 2 ? K * K : K * K * K;
-    constexpr int edge = Stencil<D, K, 1>::edge;
     for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int) {
       const std::int32_t* table = plan_.node_table(block);
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
@@ -154,12 +145,12 @@ void MassMatrix<D>::assemble(double factor, BlockMatrix<D>& H) const {
         Wide<lane_count<D>> N[count], room[2 * D * K];
         const Wide<lane_count<D>>* const w = plan_.weights(i, room);
         for (int n = 0; n < count; ++n) {
-          node[n] = table[batch.node + n % K + edge * (n / K % K + edge * (n / (K * K)))];
-          N[n] = node_value<D, K>(w, n);
+          node[n] = table[batch.node + node_offset<D, K>(n)];
+          N[n] = node_value<D, K, decltype(k)::dense>(w, n);
         }
         for (int r = 0; r < count; ++r)
           for (int c = 0; c < count; ++c)
-            if (node[r] >= node[c])
+            if (node[c] >= 0 && node[r] >= node[c])
               H.at(node[r], node[c]).diagonal().array() += factor * sum_lanes(Wide<lane_count<D>>(m * N[r] * N[c]));
       }
     });

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 
+#include "core/grid/domain.hpp"
 #include "core/grid/records.hpp"
 
 namespace pf {
@@ -133,11 +135,13 @@ void Plan<D>::number_nodes() {
     int previous = -1;
     for (int i = block.batch_begin; i < block.batch_end; ++i) {
       const int base = batches_[static_cast<std::size_t>(i)].node;
-      if (base == previous) continue;
+      if (base == previous && !dense()) continue;
       previous = base;
-      for (int z = 0; z < (D == 3 ? K : 1); ++z)
+      const std::uint64_t used = dense() ? reached(i) : ~std::uint64_t{0};
+      for (int n = 0, z = 0; z < (D == 3 ? K : 1); ++z)
         for (int y = 0; y < K; ++y)
-          for (int x = 0; x < K; ++x) table[base + x + edge_nodes * (y + edge_nodes * z)] = 0;
+          for (int x = 0; x < K; ++x, ++n)
+            if (used >> n & 1) table[base + x + edge_nodes * (y + edge_nodes * z)] = 0;
     }
     for (int i = 0; i < table_size; ++i)
       if (table[i] == 0) {
@@ -182,10 +186,12 @@ __attribute__((noinline)) Lane in_cells(const Lane& x, double inverse) {
 
 template <int D>
 void Plan<D>::place(const Particles<D>& particles, Parallel& parallel) {
-  const int edge = block_edge + nodes_per_axis() - 1;
-  const std::size_t stride = 2 * D * static_cast<std::size_t>(nodes_per_axis());
+  const int K = nodes_per_axis(), edge = block_edge + K - 1;
+  const int dense_stride = (D + 1) * (D == 2 ? K * K : K * K * K);
+  stride_ = dense() ? dense_stride : D == 2 || ended_ ? 2 * D * K : 0;
   place_.resize(batches_.size() * D);
-  if (D == 2) kept_.resize(batches_.size() * stride);
+  kept_.resize(batches_.size() * static_cast<std::size_t>(stride_));
+  std::vector<int> shrunk(dense() ? blocks_.size() : 0);
   parallel(static_cast<int>(blocks_.size()), [&](int b) {
     const Block<D>& block = blocks_[static_cast<std::size_t>(b)];
     for (int i = block.batch_begin; i < block.batch_end; ++i) {
@@ -193,25 +199,101 @@ void Plan<D>::place(const Particles<D>& particles, Parallel& parallel) {
       Wide<W> x[D];
       load_lanes<D>(particles.x[static_cast<std::size_t>(batch.first)].data(), batch.count, x);
       int node = batch.node;
+      std::array<long long, D> first;
       for (int a = 0; a < D; ++a, node /= edge) {
         // All particles of a batch have the same first node.
-        const auto base = static_cast<double>(block.corner[static_cast<std::size_t>(a)] + node % edge);
-        Wide<W> t = in_cells(x[a], inverse_spacing_) - base;
+        first[static_cast<std::size_t>(a)] = block.corner[static_cast<std::size_t>(a)] + node % edge;
+        Wide<W> t = in_cells(x[a], inverse_spacing_) - static_cast<double>(first[static_cast<std::size_t>(a)]);
         t = t < basis_->offset ? Wide<W>{} + basis_->offset : t;
         t = t > basis_->offset + 1 ? Wide<W>{} + (basis_->offset + 1) : t;
         place_[static_cast<std::size_t>(i * D + a)] = t;
       }
-      if (D == 2) compute_weights(i, kept_.data() + static_cast<std::size_t>(i) * stride);
+      if (stride_ == 0) continue;
+      Wide<W>* const w = kept_.data() + i * stride_;
+      if (dense())
+        average(particles, i, w, shrunk[static_cast<std::size_t>(b)]);
+      else
+        compute_weights(i, w);
+      if (ended_) end_edges(first, w);
     }
   });
+  shrunk_ = std::accumulate(shrunk.begin(), shrunk.end(), 0);
+}
+
+template <int D>
+void Plan<D>::average(const Particles<D>& particles, int i, Wide<W>* w, int& shrunk) const {
+  const Batch& batch = batches_[static_cast<std::size_t>(i)];
+  const auto p = static_cast<std::size_t>(batch.first);
+  Wide<W> edge[D * D];
+  load_lanes<D * D>(particles.F[p].data(), batch.count, edge);
+  Wide<W> l_0{};
+  for (int lane = 0; lane < batch.count; ++lane) {
+    const std::size_t q = p + static_cast<std::size_t>(lane), body = particles.body[q];
+    const double known = body < domain_edge_.size() ? domain_edge_[body] : 0;
+    l_0[lane] = known > 0 ? known : std::pow(particles.volume0[q], 1.0 / D);
+  }
+  for (Wide<W>& e : edge) e *= l_0 * inverse_spacing_;
+  domain_weights<D>(*basis_, place_.data() + static_cast<std::ptrdiff_t>(i) * D, edge, batch.count, w, shrunk);
+  const int nodes = static_cast<int>(stride_) / (D + 1);
+  for (int k = nodes; k < stride_; ++k) w[k] *= inverse_spacing_;
+}
+
+template <int D>
+std::uint64_t Plan<D>::reached(int batch) const {
+  const Wide<W>* const w = kept_.data() + batch * stride_;
+  const int nodes = static_cast<int>(stride_) / (D + 1), count = batches_[static_cast<std::size_t>(batch)].count;
+  std::uint64_t used = 0;
+  for (int k = 0; k < stride_; ++k)
+    for (int lane = 0; lane < count; ++lane)
+      if (w[k][lane] != 0) used |= std::uint64_t{1} << (k % nodes);
+  return used;
+}
+
+template <int D>
+void Plan<D>::end_edges(const std::array<long long, D>& first, Wide<W>* w) const {
+  const int K = nodes_per_axis();
+  for (int a = 0, step = 1; a < D; ++a, step *= K) {
+    const auto s = static_cast<std::size_t>(a);
+    if (!edges_[s].any()) continue;
+    if (!dense()) {
+      end_at_walls(K, edges_[s], first[s], 1, w + a * K);
+      end_at_walls(K, edges_[s], first[s], 1, w + (D + a) * K);
+      continue;
+    }
+    for (int n = 0; n < stride_; ++n)  // every line of nodes along the axis
+      if (n / step % K == 0) end_at_walls(K, edges_[s], first[s], step, w + n);
+  }
+}
+
+template <int D>
+void Plan<D>::choose_edges(const Particles<D>& particles) {
+  edges_ = {};
+  ended_ = edges_left_ = false;
+  for (std::size_t a = 0; a < D; ++a) {
+    const EdgePlanes& wanted = wanted_edges_[a];
+    if (!wanted.any() || !basis_->bends) continue;
+    double low = 1e300, high = -1e300;
+    for (const Vec<D>& x : particles.x) {
+      low = std::min(low, x[static_cast<int>(a)]);
+      high = std::max(high, x[static_cast<int>(a)]);
+    }
+    const bool inside = (!wanted.low || low * inverse_spacing_ >= static_cast<double>(*wanted.low) - 0.5) &&
+                        (!wanted.high || high * inverse_spacing_ <= static_cast<double>(*wanted.high) + 0.5);
+    if (inside)
+      edges_[a] = wanted;
+    else
+      edges_left_ = true;
+    ended_ = ended_ || inside;
+  }
 }
 
 template <int D>
 void Plan<D>::make_tables(const Particles<D>& particles, Parallel& parallel) {
   ++made_;
   make_blocks(particles);
-  number_nodes();
+  choose_edges(particles);
   place(particles, parallel);
+  number_nodes();
 }
 
 template <int D>

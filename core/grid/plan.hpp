@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/bases/basis.hpp"
+#include "core/grid/edges.hpp"
 #include "core/grid/particles.hpp"
 #include "core/grid/plan_keys.hpp"
 #include "core/grid/wide.hpp"
@@ -62,6 +63,16 @@ class Plan {
   /// The plan of particles that have moved as foreseen: they become what `moved` holds, in the order foreseen.
   void follow(Particles<D>& particles, const Motion<D>& moved, Parallel& parallel);
 
+  /// Edges of the cubes that the particles of each body stood for at first [m], for bases that average over domains;
+  /// where there is none, or it is 0, the cube is as large as the particle. For the next build.
+  void set_domains(std::vector<double> edge_of_body) { domain_edge_ = std::move(edge_of_body); }
+  /// Walls that are planes of nodes, of each axis; for the next build. Ignored while a particle is more than half a
+  /// cell behind one, which edges_left() then tells.
+  void set_edges(const std::array<EdgePlanes, D>& edges) { wanted_edges_ = edges; }
+  bool edges_left() const { return edges_left_; }
+  /// How many domains are too large for their nodes and were shrunk (core/grid/domain.hpp).
+  int shrunk_domains() const { return shrunk_; }
+
   /// How many plans have been made of this object: what belongs to one belongs to no other.
   std::int64_t made() const { return made_; }
   int nodes_per_axis() const { return basis_->nodes_per_axis; }
@@ -76,20 +87,27 @@ class Plan {
     for (int a = 0; a < D; ++a) x[a] = spacing_ * static_cast<double>(node_index(node)[static_cast<std::size_t>(a)]);
     return x;
   }
+  const EdgePlanes& edges(int axis) const { return edges_[static_cast<std::size_t>(axis)]; }
+  /// Weights of each node by itself (core/grid/dense_stencil.hpp), not as products of the axes'.
+  bool dense() const { return basis_->averaged(); }
+  /// Whether D_p = sum N (x_i - x_p)(x)(x_i - x_p) is what BasisInfo says for every particle.
+  bool regular() const { return !dense() && !ended_; }
 
   const std::vector<Block<D>>& blocks() const { return blocks_; }
   const std::vector<Batch>& batches() const { return batches_; }
   const std::vector<MaterialRun>& runs() const { return runs_; }
   /// Block indices by colour, 2^D lists.
   const std::array<std::vector<int>, 1 << D>& colours() const { return colours_; }
-  /// Global node of each node of the block's lattice, x fastest; -1 where the node is not active.
+  /// Global node of each node of the block's lattice, x fastest; -1 where the node is not active. With dense weights a
+  /// cell's node may be inactive: no particle's domain reaches it.
   const std::int32_t* node_table(const Block<D>& block) const { return node_of_.data() + block.nodes; }
   /// Weights of a batch: for each axis K values N, then for each axis K values dN/dx [1/m]; a lane a particle;
   /// any finite numbers in the lanes beyond count. In 3D computed anew, in `room` for 2 D K, from where the particles
   /// stand in their cell: that is quicker than fetching six times as many numbers from memory. In 2D, where all else is
-  /// as little work, they are kept.
+  /// as little work, they are kept, as are those that are not the spline's own. Dense weights: see
+  /// there.
   const Wide<W>* weights(int batch, Wide<W>* room) const {
-    if constexpr (D == 2) return kept_.data() + static_cast<std::ptrdiff_t>(batch) * 2 * D * nodes_per_axis();
+    if (D == 2 || stride_ > 0) return kept_.data() + static_cast<std::ptrdiff_t>(batch) * stride_;
     compute_weights(batch, room);
     return room;
   }
@@ -109,6 +127,11 @@ class Plan {
   void make_blocks(const Particles<D>& particles);
   void number_nodes();
   void place(const Particles<D>& particles, Parallel& parallel);
+  void choose_edges(const Particles<D>& particles);
+  void average(const Particles<D>& particles, int batch, Wide<W>* w, int& shrunk) const;
+  void end_edges(const std::array<long long, D>& first, Wide<W>* w) const;
+  /// Nodes of the cell that dense weights of a batch reach.
+  std::uint64_t reached(int batch) const;
   void compute_weights(int batch, Wide<W>* w) const {
     const int n = D * basis_->nodes_per_axis;
     const Wide<W>* const t = place_.data() + static_cast<std::ptrdiff_t>(batch) * D;
@@ -132,7 +155,12 @@ class Plan {
   std::array<std::vector<int>, 1 << D> colours_;
   std::vector<std::int32_t> node_of_;
   std::vector<Wide<W>> place_;  ///< x / dx - base of each axis, D a batch
-  std::vector<Wide<W>> kept_;   ///< weights, in 2D
+  std::vector<Wide<W>> kept_;   ///< weights: in 2D, at walls and of domains
+  std::ptrdiff_t stride_ = 0;   ///< kept weights a batch; 0: none are kept
+  std::array<EdgePlanes, D> wanted_edges_{}, edges_{};
+  bool ended_ = false, edges_left_ = false;
+  std::vector<double> domain_edge_;
+  int shrunk_ = 0;
   Keys keys_, next_keys_;
   std::vector<std::uint64_t> key_;  ///< of each particle, ascending
   // What foresee() finds out.

@@ -11,9 +11,9 @@ namespace pf {
 namespace {
 
 /// x_p + sum_j u_j N_j(x_p) of a block's particles.
-template <int D, int K>
+template <int D, int K, bool Dense>
 void move_block(const Plan<D>& plan, const Block<D>& block, const Vector& u, const Vec<D>* x, Vec<D>* to) {
-  using S = Stencil<D, K, D>;
+  using S = Stencil<D, K, D, Dense>;
   using Lane = Wide<lane_count<D>>;
   double local[S::nodes * D];
   load_block<D, K, D>(plan, block, u.data(), local);
@@ -65,7 +65,7 @@ bool Plan<D>::foresee(const Particles<D>& particles, const Vector& u, Motion<D>&
   std::atomic<bool> all{true};
   with_nodes_per_axis(*this, [&](auto k) {
     for_each_block(*this, parallel, [&](const Block<D>& block, int) {
-      move_block<D, k>(*this, block, u, particles.x.data(), to.x);
+      move_block<D, k, decltype(k)::dense>(*this, block, u, particles.x.data(), to.x);
       const std::int32_t first = block.particle_begin;
       if (!cell_keys(keys_, to.x + first, particles.material.data() + first, block.particle_end - first,
                      next_key_.data() + first))

@@ -2,6 +2,8 @@
 // 3D quadratic takes 27 + 9 + 3 weighted sums a component instead of 4 * 27.
 #pragma once
 
+#include <type_traits>
+
 #include "core/grid/plan.hpp"
 #include "core/grid/wide.hpp"
 
@@ -9,9 +11,12 @@ namespace pf {
 
 /// D dimensions, K nodes an axis, C components a node. `u` and `out` point at the cell's first node in a block-local
 /// lattice of edge block_edge + K - 1, components interleaved. `N`, `dN`: [axis * K + node], a lane a particle.
-template <int D, int K, int C>
+/// `Dense`: weights of each node by itself (core/grid/dense_stencil.hpp).
+template <int D, int K, int C, bool Dense = false>
 struct Stencil {
   static constexpr int edge = block_edge + K - 1;
+  /// Numbers in N, and where dN begins among a batch's weights.
+  static constexpr int values = D * K;
   static constexpr int nodes = D == 2 ? edge * edge : edge * edge * edge;
   using Lane = Wide<lane_count<D>>;
 
@@ -113,6 +118,43 @@ struct Stencil {
   }
 };
 
+/// N_i of the cell's node n, of a batch's weights.
+template <int D, int K, bool Dense>
+inline Wide<lane_count<D>> node_value(const Wide<lane_count<D>>* w, int n) {
+  if constexpr (Dense) {
+    return w[n];
+  } else {
+    Wide<lane_count<D>> N = w[n % K] * w[K + n / K % K];
+    if constexpr (D == 3) N *= w[2 * K + n / (K * K)];
+    return N;
+  }
+}
+
+/// grad N_i of the cell's node n, a lane a particle.
+template <int D, int K, bool Dense>
+inline void node_gradient(const Wide<lane_count<D>>* w, int n, Wide<lane_count<D>>* grad) {
+  const int ix = n % K, iy = n / K % K;
+  if constexpr (Dense) {
+    constexpr int count = D == 2 ? K * K : K * K * K;
+    for (int a = 0; a < D; ++a) grad[a] = w[(1 + a) * count + n];
+  } else if constexpr (D == 2) {
+    grad[0] = w[D * K + ix] * w[K + iy];
+    grad[1] = w[ix] * w[D * K + K + iy];
+  } else {
+    const int iz = n / (K * K);
+    grad[0] = w[D * K + ix] * w[K + iy] * w[2 * K + iz];
+    grad[1] = w[ix] * w[D * K + K + iy] * w[2 * K + iz];
+    grad[2] = w[ix] * w[K + iy] * w[D * K + 2 * K + iz];
+  }
+}
+
+/// Where the cell's node n stands in its block's lattice, after the cell's first node.
+template <int D, int K>
+constexpr int node_offset(int n) {
+  constexpr int edge = block_edge + K - 1;
+  return n % K + edge * (n / K % K + edge * (n / (K * K)));
+}
+
 /// Reads the nodes of a block from a node-major vector; nodes that are not active read 0.
 template <int D, int K, int C>
 inline void load_block(const Plan<D>& plan, const Block<D>& block, const double* from, double* local) {
@@ -131,16 +173,23 @@ inline void add_block(const Plan<D>& plan, const Block<D>& block, const double* 
       for (int c = 0; c < C; ++c) to[static_cast<std::ptrdiff_t>(table[i]) * C + c] += local[i * C + c];
 }
 
-/// Calls f(std::integral_constant<int, K>) for the plan's nodes an axis.
+/// Nodes an axis, and whether the plan keeps each node's weights by itself.
+template <int K, bool Dense>
+struct NodesPerAxis : std::integral_constant<int, K> {
+  static constexpr bool dense = Dense;
+};
+
+/// Calls f(NodesPerAxis<K, dense>) for the plan's nodes an axis.
 template <int D, class Function>
 decltype(auto) with_nodes_per_axis(const Plan<D>& plan, Function&& f) {
+  if (plan.dense()) return plan.nodes_per_axis() == 3 ? f(NodesPerAxis<3, true>{}) : f(NodesPerAxis<4, true>{});
   switch (plan.nodes_per_axis()) {
     case 2:
-      return f(std::integral_constant<int, 2>{});
+      return f(NodesPerAxis<2, false>{});
     case 3:
-      return f(std::integral_constant<int, 3>{});
+      return f(NodesPerAxis<3, false>{});
     default:
-      return f(std::integral_constant<int, 4>{});
+      return f(NodesPerAxis<4, false>{});
   }
 }
 
@@ -164,3 +213,5 @@ void for_each_block_coloured(const Plan<D>& plan, Parallel& parallel, Body&& bod
 }
 
 }  // namespace pf
+
+#include "core/grid/dense_stencil.hpp"  // IWYU pragma: export

@@ -90,7 +90,7 @@ void IncrementalPotential<D>::make_pattern(BlockMatrix<D>& H) const {
         for (int c = 0; c < count; ++c) {
           const std::int32_t row = table[first + r % K + edge * (r / K % K + edge * (r / (K * K)))];
           const std::int32_t column = table[first + c % K + edge * (c / K % K + edge * (c / (K * K)))];
-          if (row >= column) columns[static_cast<std::size_t>(row)].push_back(column);
+          if (column >= 0 && row >= column) columns[static_cast<std::size_t>(row)].push_back(column);
         }
     }
   }

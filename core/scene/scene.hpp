@@ -52,6 +52,7 @@ struct Shape {
 struct GridSettings {
   double spacing = 0;  ///< dx [m]
   std::string basis = "quadratic";
+  bool boundary_correction = false;  ///< open knots at walls that are planes of nodes
   bool operator==(const GridSettings&) const = default;
 };
 

@@ -24,6 +24,12 @@ const Table& grid_table() {
         .help(
             "The functions that carry the motion from nodes to particles. Linear ones jump in gradient at cell faces; "
             "B-splines do not.");
+    t.flag(&GridSettings::boundary_correction, "boundary_correction", "Boundary correction")
+        .live()
+        .help(
+            "Lets splines end at walls and held regions whose face is a plane of nodes with all bodies on one side: "
+            "what is held is then the motion at the wall itself, and errors there fall with the square of the spacing. "
+            "Linear functions need none.");
     return t.take();
   }();
   return table;

@@ -29,8 +29,8 @@ class LaneBalance {
   LaneBalance(const Particles<D>& particles, const Plan<D>& plan, bool affine, const Vec<D>& gravity)
       : particles_(particles), plan_(plan), affine_(affine), gravity_(gravity) {}
 
-  /// `count` particles from p on; psi of the first, or null.
-  void add(std::size_t p, int count, const double* psi) {
+  /// `count` particles from p on; psi of the first, or null; D_p of the first, or null where it is the basis' own.
+  void add(std::size_t p, int count, const double* psi, const Mat<D>* second) {
     const auto m = load_lane<Lane>(particles_.mass.data() + p, count);
     Lane x[D], v[D], mv[D], square{}, height{};
     load_lanes<D>(particles_.x[p].data(), count, x);
@@ -48,6 +48,7 @@ class LaneBalance {
       angular_[k] += x[a] * mv[b] - x[b] * mv[a];
     }
     if (affine_) {
+      if (second) return add_affine(p, count, m, square, second);
       Lane C[D * D], inertia[D];
       load_lanes<D * D>(particles_.C[p].data(), count, C);
       affine_inertias(p, count, inertia);
@@ -78,6 +79,19 @@ class LaneBalance {
   }
 
  private:
+  /// D_p is a full matrix.
+  void add_affine(std::size_t p, int count, const Lane& m, Lane square, const Mat<D>* second) {
+    Lane C[D * D], S[D * D], B[D * D];
+    load_lanes<D * D>(particles_.C[p].data(), count, C);
+    load_lanes<D * D>(second->data(), count, S);
+    multiply_lanes<D>(C, S, B);
+    for (int k = 0; k < D * D; ++k) square += m * B[k] * C[k];
+    for (std::size_t k = 0; k < turns; ++k) {
+      const auto [a, b] = axes(k);
+      angular_[k] += m * (B[b + D * a] - B[a + D * b]);
+    }
+    kinetic_ += 0.5 * square;
+  }
   static constexpr std::size_t turns = D == 2 ? 1 : 3;
   /// The axes a, b of the plane that component k turns in, from a to b.
   static constexpr std::pair<int, int> axes(std::size_t k) {
@@ -109,6 +123,9 @@ Balance block_balance(const Particles<D>& particles, const Laws<D>& laws, const 
                       bool affine, const Vec<D>& gravity, bool elastic) {
   LaneBalance<D> balance(particles, plan, affine, gravity);
   double psi[longest_run];
+  const bool own = affine && !plan.regular();
+  std::vector<Mat<D>> second(own ? static_cast<std::size_t>(block.particle_end - block.particle_begin) : 0);
+  if (own) affine_inertias(plan, particles, block, second.data());
   for (int r = block.run_begin; r < block.run_end; ++r) {
     const MaterialRun& run = plan.runs()[static_cast<std::size_t>(r)];
     const int n = run.end - run.begin;
@@ -117,7 +134,8 @@ Balance block_balance(const Particles<D>& particles, const Laws<D>& laws, const 
       laws[run.material]->energy({particles.F.data() + begin, static_cast<std::size_t>(n)},
                                  {psi, static_cast<std::size_t>(n)});
     for (int k = 0; k < n; k += lane_count<D>)
-      balance.add(begin + static_cast<std::size_t>(k), std::min(lane_count<D>, n - k), elastic ? psi + k : nullptr);
+      balance.add(begin + static_cast<std::size_t>(k), std::min(lane_count<D>, n - k), elastic ? psi + k : nullptr,
+                  own ? second.data() + (run.begin + k - block.particle_begin) : nullptr);
   }
   return balance.sum();
 }

@@ -55,9 +55,12 @@ std::vector<std::int32_t> parts_of(const Plan<D>& plan) {
     const std::int32_t* table = plan.node_table(block);
     for (int b = block.batch_begin; b < block.batch_end; ++b) {
       const int first = plan.batches()[static_cast<std::size_t>(b)].node;
-      const std::int32_t a = root(table[first]);
-      for (int n = 1; n < (D == 2 ? K * K : K * K * K); ++n) {
-        const std::int32_t other = root(table[first + n % K + edge * (n / K % K + edge * (n / (K * K)))]);
+      std::int32_t a = -1;
+      for (int n = 0; n < (D == 2 ? K * K : K * K * K); ++n) {
+        const std::int32_t node = table[first + n % K + edge * (n / K % K + edge * (n / (K * K)))];
+        if (node < 0) continue;
+        if (a < 0) a = root(node);
+        const std::int32_t other = root(node);
         parent[static_cast<std::size_t>(std::max(root(a), other))] = std::min(root(a), other);
       }
     }

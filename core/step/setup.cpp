@@ -6,6 +6,7 @@
 #include "core/scene/scene_io.hpp"
 #include "core/scene/scene_view.hpp"
 #include "core/step/balance.hpp"
+#include "core/step/edge_planes.hpp"
 #include "core/step/simulation_of.hpp"
 
 namespace pf {
@@ -51,6 +52,8 @@ SimulationOf<D>::SimulationOf(const Scene& scene, const SimulationOptions& optio
     probe_ids_.push_back(particles_.id[nearest]);
   }
   make_control();
+  plan_.set_domains(domain_edges());
+  plan_.set_edges(edge_planes(scene_, particles_));
   build_plan_or_throw();
   const FeasibleSet<D> set = conditions_.at(plan_, 0, 0);  // refuses contradictions before the first step
   if (!find_integrator(scene_.integrator.type)->inertia)
@@ -107,6 +110,14 @@ void SimulationOf<D>::make_settings() {
 }
 
 template <int D>
+std::vector<double> SimulationOf<D>::domain_edges() const {
+  std::vector<double> edges;  // points of a lattice stand for its cells, whatever their volume is made to add up to
+  for (const Body& body : scene_.bodies)
+    edges.push_back(body.sampling == "lattice" ? scene_.grid.spacing / body.particles_per_axis : 0);
+  return edges;
+}
+
+template <int D>
 void SimulationOf<D>::build_plan_or_throw() {
   if (!plan_.build(particles_, *find_basis(scene_.grid.basis), scene_.grid.spacing, parallel_))
     throw InputError("", {{"/bodies", "bodies too far apart for this grid spacing",
@@ -140,14 +151,16 @@ bool made_alike(const Scene& a, const Scene& b) {
 template <int D>
 bool SimulationOf<D>::apply(const Scene& scene) {
   if (!made_alike(scene, scene_)) return false;
-  if (scene.boundaries != scene_.boundaries || scene.constraints != scene_.constraints) {
+  const bool walls = scene.boundaries != scene_.boundaries || scene.constraints != scene_.constraints;
+  if (walls) {
     Conditions<D> changed(scene);
     changed.displacement() = conditions_.displacement();
     changed.at(plan_, time_, scene.time.step);  // refuses contradictions while nothing has changed yet
     conditions_ = std::move(changed);
   }
   if (scene.loads != scene_.loads || scene.body_force != scene_.body_force) loads_.set_formulas(scene);
-  const bool was_affine = transfer_->affine(), basis = scene.grid.basis != scene_.grid.basis;
+  const bool was_affine = transfer_->affine(),
+             basis = scene.grid != scene_.grid || (walls && scene.grid.boundary_correction);
   const bool physics = scene.materials != scene_.materials || scene.gravity != scene_.gravity ||
                        scene.transfer != scene_.transfer || scene.integrator != scene_.integrator ||
                        scene.solver != scene_.solver;
@@ -157,7 +170,10 @@ bool SimulationOf<D>::apply(const Scene& scene) {
   const bool control = scene.time.control == "fixed" || other_control || physics || basis ||
                        scene.time.step != scene_.time.step || scene.time.tolerance != scene_.time.tolerance;
   scene_ = scene;
-  if (basis) build_plan_or_throw();
+  if (basis) {
+    plan_.set_edges(edge_planes(scene_, particles_));
+    build_plan_or_throw();
+  }
   if (physics || other_control) make_settings();
   if (control) make_control();
   if (was_affine && !transfer_->affine())
@@ -216,6 +232,7 @@ template SimulationOf<3>::SimulationOf(const Scene&, const SimulationOptions&);
 #define PF_INSTANTIATE(D)                                              \
   template void SimulationOf<D>::make_settings();                      \
   template void SimulationOf<D>::build_plan_or_throw();                \
+  template std::vector<double> SimulationOf<D>::domain_edges() const;  \
   template bool SimulationOf<D>::apply(const Scene&);                  \
   template void SimulationOf<D>::set_grab(const std::optional<Grab>&); \
   template std::string SimulationOf<D>::solver_choice() const;

@@ -85,12 +85,14 @@ class SimulationOf final : public Simulation {
   StepChoice first_choice();
   void tell_control(StepOutcome outcome, StepReport& report);
   void build_plan_or_throw();
+  std::vector<double> domain_edges() const;
   Attempt attempt(const StepChoice& choice, const std::atomic<bool>* cancel, StepReport& report);
   void grid_velocity(StepReport& report);
   void sharpen(const Vector& momentum, Vector& rate, StepReport& report);
   void grid_acceleration(bool carried, StepReport& report);
   void carry_acceleration();
   bool has_inertia(const StepChoice& choice) const;
+  void tell_of_plan(StepReport& report);
   void tell_of_blend(const MassMatrix<D>& M, StepReport& report);
   Attempt judge(const NewtonResult& newton, const StepChoice& choice, StepReport& report);
   void keep_grid(const FeasibleSet<D>& set);
@@ -135,7 +137,7 @@ class SimulationOf final : public Simulation {
 
   double time_ = 0, end_ = 0;
   double size_ = 0;  ///< of the largest body [m]
-  bool told_of_blend_ = false;
+  bool told_of_blend_ = false, told_of_domains_ = false, told_of_edges_ = false;
   StepReport accepted_, returned_;
   RecordLevel recording_ = RecordLevel::none;
   std::shared_ptr<const StepRecord> record_;

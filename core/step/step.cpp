@@ -152,6 +152,20 @@ void SimulationOf<D>::tell_of_blend(const MassMatrix<D>& M, StepReport& report) 
   told_of_blend_ = M.blend() > 0;
 }
 
+template <int D>
+void SimulationOf<D>::tell_of_plan(StepReport& report) {
+  if (plan_.shrunk_domains() > 0 && !told_of_domains_)
+    report.warnings.push_back(std::to_string(plan_.shrunk_domains()) +
+                              " particles' domains have become larger than a cell: they are averaged over the part "
+                              "within half a cell of their centre. More particles a cell avoid this.");
+  if (plan_.edges_left() && !told_of_edges_)
+    report.warnings.push_back(
+        "Particles are more than half a cell behind a wall: there is no boundary correction on its axis until they are "
+        "back.");
+  told_of_domains_ = plan_.shrunk_domains() > 0;
+  told_of_edges_ = plan_.edges_left();
+}
+
 /// What the stages of one attempt ask for.
 template <int D>
 class SimulationOf<D>::Stages final : public StepConditions<D> {
@@ -266,6 +280,7 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
   keep_friction(set);
   carry_acceleration();
   plan_.follow(particles_, moved_, parallel_);
+  tell_of_plan(report);
   lap(report.ms.sort);
   if (!choice.implicit) elastic.find_rest();
   lap(report.ms.linear_solve);

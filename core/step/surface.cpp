@@ -10,7 +10,10 @@ void around(const Plan<D>& plan, const Vec<D>& x, Function&& f) {
   const int K = plan.nodes_per_axis();
   double N[D][max_nodes_per_axis], dN[max_nodes_per_axis];
   long long base[D];
-  for (int a = 0; a < D; ++a) plan.basis().weights(x[a] / plan.spacing(), base[a], N[a], dN);
+  for (int a = 0; a < D; ++a) {
+    plan.basis().weights(x[a] / plan.spacing(), base[a], N[a], dN);
+    end_at_walls(K, plan.edges(a), base[a], 1, N[a]);
+  }
   const int count = D == 2 ? K * K : K * K * K;
   int nodes[max_nodes_per_axis * max_nodes_per_axis * max_nodes_per_axis];
   double weights[max_nodes_per_axis * max_nodes_per_axis * max_nodes_per_axis];

@@ -1,5 +1,8 @@
 #include "core/transfers/apic.hpp"
 
+#include <Eigen/LU>
+
+#include "core/transfers/moments.hpp"
 #include "core/transfers/ride.hpp"
 
 namespace pf {
@@ -14,45 +17,49 @@ class AffineVelocities {
   using Lane = Wide<lane_count<D>>;
   static constexpr bool affine = true;
 
-  template <int K>
+  template <int K, bool Dense>
   void load(const Plan<D>& plan, const Block<D>& block, const GridState<D>& grid, double* nodes) const {
     load_block<D, K, D>(plan, block, grid.v_end.data(), nodes);
   }
-  template <int K>
+  template <int K, bool Dense>
   void ride(const RidingBatch<D>& riding, const double* nodes, Lane* v, Lane* C) const {
-    const Lane* slopes = riding.weights + D * K;
-    Lane room[D * K];
+    using S = Stencil<D, K, D, Dense>;
+    const Lane* slopes = riding.weights + S::values;
+    Lane room[S::values * (Dense ? D : 1)], second[D * D], rates[D][D];
     if (riding.plan.basis().affine_by_moments) {
-      moments<K>(riding, room);
+      moment_weights<D, K, Dense>(riding.plan, riding.particles, riding.block, riding.batch, riding.weights, room);
+      second_moments<D, K, Dense>(riding.plan, riding.particles, riding.block, riding.batch, riding.weights, second);
+      if constexpr (!Dense) divide_axes<K>(riding.batch.count, second, room);
       slopes = room;
     }
-    Lane rates[D][D];
-    Stencil<D, K, D>::template gather<true, true>(nodes, riding.weights, slopes, v, rates);
+    S::template gather<true, true>(nodes, riding.weights, slopes, v, rates);
+    if constexpr (Dense) divide(riding.batch.count, second, rates);
     for (int a = 0; a < D; ++a)
       for (int b = 0; b < D; ++b) C[a + D * b] = rates[a][b];
   }
 
  private:
   template <int K>
-  void moments(const RidingBatch<D>& riding, Lane* slopes) const {
-    const double spacing = riding.plan.spacing();
-    int node = riding.batch.node;
-    Lane x[D];
-    load_lanes<D>(riding.particles.x[static_cast<std::size_t>(riding.batch.first)].data(), riding.batch.count, x);
+  static void divide_axes(int count, Lane* second, Lane* slopes) {
     for (int a = 0; a < D; ++a) {
-      const double first =
-          static_cast<double>(riding.block.corner[static_cast<std::size_t>(a)] + node % Stencil<D, K, D>::edge) *
-          spacing;
-      node /= Stencil<D, K, D>::edge;
-      Lane inertia{};
-      for (int r = 0; r < K; ++r) {
-        const Lane distance = first + r * spacing - x[a];
-        slopes[a * K + r] = riding.weights[a * K + r] * distance;
-        inertia += slopes[a * K + r] * distance;
-      }
-      for (int lane = riding.batch.count; lane < lane_count<D>; ++lane) inertia[lane] = 1;
+      Lane inertia = second[a + D * a];
+      for (int lane = count; lane < lane_count<D>; ++lane) inertia[lane] = 1;
       inertia = 1.0 / inertia;
       for (int r = 0; r < K; ++r) slopes[a * K + r] *= inertia;
+    }
+  }
+  /// B becomes B D^-1, of the first `count` lanes.
+  static void divide(int count, const Lane* second, Lane (*B)[D]) {
+    for (int lane = 0; lane < count; ++lane) {
+      Mat<D> inertia, rates;
+      for (int a = 0; a < D; ++a)
+        for (int b = 0; b < D; ++b) {
+          inertia(a, b) = second[a + D * b][lane];
+          rates(a, b) = B[a][b][lane];
+        }
+      const Mat<D> affine_velocity = rates * inertia.inverse();
+      for (int a = 0; a < D; ++a)
+        for (int b = 0; b < D; ++b) B[a][b][lane] = affine_velocity(a, b);
     }
   }
 };

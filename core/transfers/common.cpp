@@ -3,6 +3,7 @@
 
 #include "core/grid/records.hpp"
 #include "core/grid/stencil.hpp"
+#include "core/transfers/moments.hpp"
 #include "core/transfers/transfer.hpp"
 
 namespace pf {
@@ -11,21 +12,6 @@ namespace {
 
 std::size_t at(std::int32_t i) {
   return static_cast<std::size_t>(i);
-}
-
-/// N (x_i - x_p) of each axis, the weights that carry an affine velocity; a lane a particle.
-template <int D, int K>
-void moment_weights(const Plan<D>& plan, const Particles<D>& particles, const Block<D>& block, const Batch& batch,
-                    const Wide<lane_count<D>>* w, Wide<lane_count<D>>* moments) {
-  const int edge = block_edge + K - 1;
-  int node = batch.node;
-  Wide<lane_count<D>> x[D];
-  load_lanes<D>(particles.x[at(batch.first)].data(), batch.count, x);
-  for (int a = 0; a < D; ++a) {
-    const double first = static_cast<double>(block.corner[static_cast<std::size_t>(a)] + node % edge) * plan.spacing();
-    node /= edge;
-    for (int r = 0; r < K; ++r) moments[a * K + r] = w[a * K + r] * (first + r * plan.spacing() - x[a]);
-  }
 }
 
 }  // namespace
@@ -38,7 +24,7 @@ void particles_to_grid(const Plan<D>& plan, const Particles<D>& particles, bool 
   sums.setZero(static_cast<Eigen::Index>(plan.node_count()) * C);
   with_nodes_per_axis(plan, [&](auto k) {
     constexpr int K = k;
-    using S = Stencil<D, K, C>;
+    using S = Stencil<D, K, C, decltype(k)::dense>;
     for_each_block_coloured(plan, parallel, [&](const Block<D>& block, int) {
       double local[S::nodes * C] = {};
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
@@ -55,8 +41,8 @@ void particles_to_grid(const Plan<D>& plan, const Particles<D>& particles, bool 
           load_lanes<D * D>(particles.C[at(batch.first)].data(), batch.count, affine_velocity);
           for (int a = 0; a < D; ++a)
             for (int b = 0; b < D; ++b) flux[a][b] = m * affine_velocity[a + D * b];
-          Wide<lane_count<D>> moments[D * K];
-          moment_weights<D, K>(plan, particles, block, batch, w, moments);
+          Lane moments[S::values * (decltype(k)::dense ? D : 1)];
+          moment_weights<D, K, decltype(k)::dense>(plan, particles, block, batch, w, moments);
           S::template scatter<true, true, 1>(value, flux, w, moments, local + batch.node * C);
         } else {
           S::template scatter<true, false>(value, nullptr, w, w, local + batch.node * C);
@@ -87,7 +73,7 @@ void fill_massless(const Plan<D>& plan, const Particles<D>& particles, const std
       for (int n = 0; n < (D == 2 ? K * K : K * K * K); ++n) {
         const std::int32_t node =
             plan.node_table(block)[batch.node + n % K + edge * (n / K % K + edge * (n / (K * K)))];
-        if (!massless[at(node)]) continue;
+        if (node < 0 || !massless[at(node)]) continue;
         for (int lane = 0; lane < batch.count; ++lane) {
           v.segment<D>(node * D) += particles.v[at(batch.first + lane)];
           ++count[at(node)];
@@ -140,7 +126,7 @@ template <int D>
 void gather_field(const Plan<D>& plan, const Vector& field, Parallel& parallel, std::vector<Vec<D>>& values) {
   with_nodes_per_axis(plan, [&](auto k) {
     constexpr int K = k;
-    using S = Stencil<D, K, D>;
+    using S = Stencil<D, K, D, decltype(k)::dense>;
     for_each_block(plan, parallel, [&](const Block<D>& block, int) {
       double local[S::nodes * D];
       load_block<D, K, D>(plan, block, field.data(), local);
@@ -160,7 +146,7 @@ template <int D>
 void scatter_field(const Plan<D>& plan, const std::vector<Vec<D>>& values, Parallel& parallel, Vector& field) {
   with_nodes_per_axis(plan, [&](auto k) {
     constexpr int K = k;
-    using S = Stencil<D, K, D>;
+    using S = Stencil<D, K, D, decltype(k)::dense>;
     for_each_block_coloured(plan, parallel, [&](const Block<D>& block, int) {
       double local[S::nodes * D] = {};
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
@@ -194,6 +180,26 @@ Vec<D> affine_inertia(const BasisInfo& basis, double spacing, const Vec<D>& x) {
   return inertia * spacing * spacing;
 }
 
+template <int D>
+void affine_inertias(const Plan<D>& plan, const Particles<D>& particles, const Block<D>& block, Mat<D>* inertia) {
+  if (plan.regular()) {
+    for (std::int32_t p = block.particle_begin; p < block.particle_end; ++p)
+      *inertia++ = affine_inertia<D>(plan.basis(), plan.spacing(), particles.x[at(p)]).asDiagonal();
+    return;
+  }
+  with_nodes_per_axis(plan, [&](auto k) {
+    constexpr int K = k;
+    using Lane = Wide<lane_count<D>>;
+    for (int i = block.batch_begin; i < block.batch_end; ++i) {
+      const Batch& batch = plan.batches()[at(i)];
+      Lane room[2 * D * K], S[D * D];
+      second_moments<D, K, decltype(k)::dense>(plan, particles, block, batch, plan.weights(i, room), S);
+      for (int lane = 0; lane < batch.count; ++lane, ++inertia)
+        for (int c = 0; c < D * D; ++c) (*inertia)(c) = S[c][lane];
+    }
+  });
+}
+
 // NOLINTBEGIN(bugprone-macro-parentheses): D is a template argument.
 #define PF_INSTANTIATE(D)                                                                                  \
   template void particles_to_grid<D>(const Plan<D>&, const Particles<D>&, bool, Parallel&, GridState<D>&); \
@@ -201,7 +207,8 @@ Vec<D> affine_inertia(const BasisInfo& basis, double spacing, const Vec<D>& x) {
   template void sharpen_velocity<D>(const MassMatrix<D>&, int, Vector&);                                   \
   template void gather_field<D>(const Plan<D>&, const Vector&, Parallel&, std::vector<Vec<D>>&);           \
   template void scatter_field<D>(const Plan<D>&, const std::vector<Vec<D>>&, Parallel&, Vector&);          \
-  template Vec<D> affine_inertia<D>(const BasisInfo&, double, const Vec<D>&);
+  template Vec<D> affine_inertia<D>(const BasisInfo&, double, const Vec<D>&);                              \
+  template void affine_inertias<D>(const Plan<D>&, const Particles<D>&, const Block<D>&, Mat<D>*);
 PF_INSTANTIATE(2)
 PF_INSTANTIATE(3)
 #undef PF_INSTANTIATE

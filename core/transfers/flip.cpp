@@ -14,18 +14,18 @@ class BlendedVelocities {
   static constexpr bool affine = false;
 
   explicit BlendedVelocities(double flip_ratio) : flip_ratio_(flip_ratio) {}
-  template <int K>
+  template <int K, bool Dense>
   void load(const Plan<D>& plan, const Block<D>& block, const GridState<D>& grid, double* nodes) const {
     load_block<D, K, D>(plan, block, grid.v_end.data(), nodes);
     if (flip_ratio_ == 0) return;
-    double before[Stencil<D, K, D>::nodes * D];
+    double before[Stencil<D, K, D, Dense>::nodes * D];
     load_block<D, K, D>(plan, block, grid.v.data(), before);
-    for (int i = 0; i < Stencil<D, K, D>::nodes * D; ++i) nodes[i] -= flip_ratio_ * before[i];
+    for (int i = 0; i < Stencil<D, K, D, Dense>::nodes * D; ++i) nodes[i] -= flip_ratio_ * before[i];
   }
-  template <int K>
+  template <int K, bool Dense>
   void ride(const RidingBatch<D>& riding, const double* nodes, Lane* v, Lane*) const {
     Lane gained[D];
-    Stencil<D, K, D>::template gather<true, false>(nodes, riding.weights, riding.weights, gained, nullptr);
+    Stencil<D, K, D, Dense>::template gather<true, false>(nodes, riding.weights, riding.weights, gained, nullptr);
     load_lanes<D>(riding.particles.v[static_cast<std::size_t>(riding.batch.first)].data(), riding.batch.count, v);
     for (int a = 0; a < D; ++a) v[a] = flip_ratio_ * v[a] + gained[a];
   }

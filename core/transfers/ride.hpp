@@ -60,9 +60,9 @@ double* records(T* first) {
   return reinterpret_cast<double*>(first);
 }
 
-/// `Velocities` has, for K nodes an axis, load<K>(plan, block, grid, nodes), which fills D numbers for each node of a
-/// block, and ride<K>(batch, nodes, v, C), which makes the new velocities of them and, if it is `affine`, C (entry a +
-/// D b).
+/// `Velocities` has, for K nodes an axis and dense weights or not, load<K, Dense>(plan, block, grid, nodes), which
+/// fills D numbers for each node of a block, and ride<K, Dense>(batch, nodes, v, C), which makes the new velocities of
+/// them and, if it is `affine`, C (entry a + D b).
 template <int D, class Velocities>
 StateCheck ride(const Plan<D>& plan, const GridState<D>& grid, const Particles<D>& particles, Parallel& parallel,
                 const Motion<D>& to, const Velocities& velocities) {
@@ -70,10 +70,10 @@ StateCheck ride(const Plan<D>& plan, const GridState<D>& grid, const Particles<D
   constexpr std::size_t together = 256;
   std::array<StateCheck, together> parts;
   StateCheck all{.min_J = INFINITY, .max_J = -INFINITY};
-  const auto ride_block = [&]<int K>(const Block<D>& block, StateCheck& check) {
-    using S = Stencil<D, K, D>;
+  const auto ride_block = [&]<int K, bool Dense>(const Block<D>& block, StateCheck& check) {
+    using S = Stencil<D, K, D, Dense>;
     double nodes[S::nodes * D], u[S::nodes * D];
-    velocities.template load<K>(plan, block, grid, nodes);
+    velocities.template load<K, Dense>(plan, block, grid, nodes);
     if (to.F) load_block<D, K, D>(plan, block, grid.u.data(), u);
     LaneExtremes<D> extremes;
     for (int i = block.batch_begin; i < block.batch_end; ++i) {
@@ -84,12 +84,12 @@ StateCheck ride(const Plan<D>& plan, const GridState<D>& grid, const Particles<D
       const std::size_t first = place ? 0 : p;
       Lane room[2 * D * K], v[D], C[D * D];
       const Lane* const w = plan.weights(i, room);
-      velocities.template ride<K>({plan, particles, block, batch, w}, nodes + batch.node * D, v, C);
+      velocities.template ride<K, Dense>({plan, particles, block, batch, w}, nodes + batch.node * D, v, C);
       store_lanes_at<D>(v, batch.count, place, records(to.v) + first * D);
       if (Velocities::affine && to.C) store_lanes_at<D * D>(C, batch.count, place, records(to.C) + first * D * D);
       if (!to.F) continue;
       Lane gradient[D][D], F_hat[D * D], F_n[D * D], F[D * D];
-      S::template gather<false, true>(u + batch.node * D, w, w + D * K, nullptr, gradient);
+      S::template gather<false, true>(u + batch.node * D, w, w + S::values, nullptr, gradient);
       for (int a = 0; a < D; ++a)
         for (int b = 0; b < D; ++b) F_hat[a + D * b] = a == b ? gradient[a][b] + 1.0 : gradient[a][b];
       load_lanes<D * D>(particles.F[p].data(), batch.count, F_n);
@@ -105,7 +105,7 @@ StateCheck ride(const Plan<D>& plan, const GridState<D>& grid, const Particles<D
       const std::size_t count = std::min(together, plan.blocks().size() - first);
       parallel(static_cast<int>(count), [&](int i) {
         const auto b = static_cast<std::size_t>(i);
-        ride_block.template operator()<k>(plan.blocks()[first + b], parts[b]);
+        ride_block.template operator()<k, decltype(k)::dense>(plan.blocks()[first + b], parts[b]);
       });
       for (std::size_t b = 0; b < count; ++b) all.include(parts[b]);
     }

@@ -73,6 +73,9 @@ void scatter_field(const Plan<D>& plan, const std::vector<Vec<D>>& values, Paral
 /// D_p = sum_j N_j (x_j - x_p)(x)(x_j - x_p) at x: diagonal for a tensor-product basis that reproduces linear fields.
 template <int D>
 Vec<D> affine_inertia(const BasisInfo& basis, double spacing, const Vec<D>& x);
+/// The same of a block's particles, one after the other; not diagonal where domains rotate and shear.
+template <int D>
+void affine_inertias(const Plan<D>& plan, const Particles<D>& particles, const Block<D>& block, Mat<D>* inertia);
 
 struct TransferInfo {
   std::string_view name, label, about;

@@ -15,9 +15,15 @@ template <int D>
 Eigen::MatrixXd dense_mass(const Grid<D>& grid, std::string_view basis) {
   const int n = grid.plan.node_count();
   Eigen::MatrixXd M = Eigen::MatrixXd::Zero(n, n);
+  // Averaged functions have their own tests (domain.cpp): here their weights are taken as they are.
+  std::vector<Vector> weights(grid.particles.size(), Vector::Zero(n));
+  const bool averaged = find_basis(basis)->averaged();
+  if (averaged)
+    test::for_each_pair(grid.plan, [&](std::size_t p, int node, double w, const Vec<D>&) { weights[p][node] = w; });
   for (std::size_t p = 0; p < grid.particles.size(); ++p) {
-    Vector N(n);
-    for (int i = 0; i < n; ++i) N[i] = test::shape<D>(basis, dx, grid.plan.node_position(i), grid.particles.x[p]);
+    Vector& N = weights[p];
+    for (int i = 0; i < n && !averaged; ++i)
+      N[i] = test::shape<D>(basis, dx, grid.plan.node_position(i), grid.particles.x[p]);
     M += grid.particles.mass[p] * N * N.transpose();
   }
   return M;

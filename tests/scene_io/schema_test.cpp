@@ -101,7 +101,8 @@ TEST_CASE("the schema refuses what the parser refuses for a key's own sake") {
   const Validator validator(schema);
   const std::pair<const char*, Json> wrong[] = {{"/grid/spacing", 0},
                                                 {"/grid/spacings", 0.1},
-                                                {"/grid/basis", "gimp"},
+                                                {"/grid/basis", "nurbs"},
+                                                {"/grid/boundary_correction", 1},
                                                 {"/time/step", -1},
                                                 {"/version", 2},
                                                 {"/dimension", 4},

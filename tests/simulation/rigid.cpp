@@ -105,8 +105,9 @@ TEST_CASE("transfers and time integration take their own shares of angular momen
           const AngularLedger& by = report.angular;
           CHECK((by.transfer + by.time_integration + by.outside - change).norm() < 1e-12 * before.norm());
           CHECK(by.outside.norm() < 1e-5 * before.norm());  // nothing turns it but what Newton left
-          // Under the linear basis D_p changes as the particle moves while C_p is kept: small, but not rounding.
-          const double kept = basis.affine_by_moments ? 1e-12 : 5e-3;
+          // Under the linear basis D_p changes as the particle moves while C_p is kept, under averaged ones as its
+          // domain turns: small, but not rounding.
+          const double kept = basis.affine_by_moments && !basis.averaged() ? 1e-12 : 5e-3;
           if (transfer.name == "apic") CHECK(report.angular.transfer.norm() < kept * before.norm());
           if (transfer.name == "pic") CHECK(report.angular.transfer.norm() > 1e-2 * before.norm());
           CHECK(report.angular.time_integration[2] < 0);  // backward Euler damps
@@ -115,7 +116,7 @@ TEST_CASE("transfers and time integration take their own shares of angular momen
 }
 
 TEST_CASE("backward Euler changes a free body's angular momentum by dt sum m v(n+1) x v(n)") {
-  for (const BasisInfo& basis : bases()) {
+  for (const BasisInfo& basis : test::sampled_bases()) {  // the sum is written out with the splines themselves
     CAPTURE(basis.name);
     test::Json scene = flying(2, basis.name, "pic", {"-3*(Y - 0.2)", "3*(X - 0.2)"});
     scene["solver"] = {{"newton_tolerance", 1e-11}};
