@@ -84,6 +84,12 @@ bool Workbench::possible(Action action) const {
       return state == RunState::paused || state == RunState::running || state == RunState::failed;
     case Action::slow_step:
       return state == RunState::paused || state == RunState::running;
+    case Action::step_back:
+      return state != RunState::loading && TimeLine::wanted_step(context_.status) > 0;
+    case Action::bad_step:
+      return time_line_.any_bad(context_);
+    case Action::branch:
+      return context_.status.step < context_.status.reached;
     case Action::picture:
     case Action::export_picture:
     case Action::fit:
@@ -143,6 +149,15 @@ void Workbench::act(Action action, int index) {
       break;
     case Action::slow_step:
       session_.take_apart();
+      break;
+    case Action::step_back:
+      session_.go_to(TimeLine::wanted_step(context_.status) - 1);
+      break;
+    case Action::bad_step:
+      show_bad_step();
+      break;
+    case Action::branch:
+      session_.branch();
       break;
     case Action::reset:
       close_slow_step();
@@ -370,6 +385,14 @@ void Workbench::pin() {
   RunHistory kept = context_.current;
   kept.pinned = true;
   context_.pinned.push_front(std::move(kept));
+  settle_ = 3;
+}
+
+void Workbench::show_bad_step() {
+  const auto bad = time_line_.next_bad(context_);
+  if (!bad) return;
+  session_.go_to(bad->step);
+  notices_.add("Step " + std::to_string(bad->step) + ": " + bad->why);
   settle_ = 3;
 }
 

@@ -217,6 +217,8 @@ void Workbench::draw_failure_banner() {
   if (ImGui::Button("Try again")) session_.run();
   ImGui::SameLine();
   if (ImGui::Button("Reset (R)")) act(Action::reset);
+  ImGui::SameLine();
+  if (ImGui::Button("One step back (←)")) act(Action::step_back);
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();

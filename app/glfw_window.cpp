@@ -169,9 +169,20 @@ void GlfwWindow::hold_presses() {
   }
 }
 
+void GlfwWindow::take_fed_pointer() {
+  if (!fed_) return;
+  ImGuiIO& io = ImGui::GetIO();
+  io.MousePos = {fed_->x, fed_->y};
+  for (std::size_t i = 0; i < fed_->down.size(); ++i) io.MouseDown[i] = fed_->down[i];
+  io.MouseWheel = std::exchange(fed_->wheel, 0.0F);
+  io.KeyShift = fed_->shift;
+  io.KeyCtrl = fed_->ctrl;
+}
+
 void GlfwWindow::begin_frame() {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  take_fed_pointer();
   hold_presses();
   // A key that came down and up since the last frame would be lost on ImGui, which knows only what is down now.
   bool* down = ImGui::GetIO().KeysDown;

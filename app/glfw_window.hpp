@@ -50,6 +50,19 @@ class GlfwWindow {
   bool take_close_request();
   bool take_focus_lost();
 
+  /// A mouse that is not the screen's: of a script, a test, a lesson.
+  struct Pointer {
+    float x = 0, y = 0;  ///< in the window, y downwards
+    std::array<bool, 3> down{};
+    float wheel = 0;  ///< notches since the last frame
+    bool shift = false, ctrl = false;
+  };
+  /// From the next frame on the window follows this one; nothing: the screen's again.
+  void feed(const std::optional<Pointer>& pointer) {
+    fed_ = pointer;
+    touched_ = true;
+  }
+
   void begin_frame();  ///< of ImGui and OpenGL
   void end_frame();    ///< draws ImGui over what is there
   /// Closes what a frame that was thrown out of has left open.
@@ -78,8 +91,10 @@ class GlfwWindow {
   /// ImGui's tabs take a press only where the mouse was a frame ago. A press that comes with the motion to its place,
   /// as it does when frames are slow, is handed on one frame later.
   void hold_presses();
+  void take_fed_pointer();
   GLFWwindow* window_ = nullptr;
   std::optional<HeldPress> held_;
+  std::optional<Pointer> fed_;
   std::vector<int> tapped_;  ///< keys that came down since the last frame
   std::vector<Key> keys_;
   std::vector<std::filesystem::path> dropped_;

@@ -13,6 +13,7 @@ constexpr float status_row = 2.0f;       // of text, below it where both do not 
 constexpr float transport_one_row = 52;  // what one row of it needs
 constexpr float drawer_tabs = 2.1f;
 constexpr float step_strip_height = 1.9f;
+constexpr float time_line_height = 1.2f;
 
 }  // namespace
 
@@ -35,7 +36,9 @@ Layout arrange(const LayoutInput& in) {
   const float middle = std::max(0.0f, in.width - left - right);
   out.transport_rows = middle < transport_one_row * in.em ? 2 : 1;
   out.step_strip = in.step_strip ? whole(step_strip_height * in.em) : 0;
-  const float transport = whole((transport_row + (out.transport_rows == 2 ? status_row : 0)) * in.em) + out.step_strip;
+  out.time_line = whole(time_line_height * in.em);
+  const float transport =
+      whole((transport_row + (out.transport_rows == 2 ? status_row : 0)) * in.em) + out.time_line + out.step_strip;
   out.transport_row = transport_row * in.em;
   const float tabs = whole(drawer_tabs * in.em);
   // The drawer leaves the view at least two fifths of the height, where that leaves the drawer room for its tabs.

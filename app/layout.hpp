@@ -30,6 +30,7 @@ struct Layout {
   Rect menu, left, view, transport, inspector, drawer;
   int transport_rows = 1;   ///< 2 where one row would be cut
   float transport_row = 0;  ///< height of the first, the buttons' [pixels]
+  float time_line = 0;      ///< height of the time line at the transport's upper end [pixels]
   float step_strip = 0;     ///< height of the strip at the transport's lower end [pixels]
   bool operator==(const Layout&) const = default;
 };

@@ -1,6 +1,7 @@
 // The menu bar; every item says its key.
 #include <imgui.h>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -93,11 +94,33 @@ void Workbench::draw_run_menu() {
   menu_item(Action::slow_step, context_.slow != nullptr);
   menu_item(Action::reset);
   ImGui::Separator();
+  menu_item(Action::step_back);
+  menu_item(Action::bad_step);
+  menu_item(Action::branch);
+  draw_rewind_memory_menu();
+  ImGui::Separator();
   if (ImGui::MenuItem("Study this scene…")) {
     studies_of(context_).set_up(context_);
     show_studies();
   }
   if (ImGui::MenuItem("Pin this run's curves", nullptr, false, !context_.current.reports.empty())) pin();
+}
+
+void Workbench::draw_rewind_memory_menu() {
+  if (!ImGui::BeginMenu("Memory for going back")) return;
+  constexpr std::array choices{0, 128, 512, 2048, 8192};
+  for (const int megabytes : choices) {
+    const std::string label = megabytes == 0     ? "None: go back by simulating from the start"
+                              : megabytes < 1024 ? std::to_string(megabytes) + " MB"
+                                                 : std::to_string(megabytes / 1024) + " GB";
+    if (!ImGui::MenuItem(label.c_str(), nullptr, preferences_.rewind_megabytes == megabytes)) continue;
+    preferences_.rewind_megabytes = megabytes;
+    session_.set_rewind_memory(static_cast<std::size_t>(megabytes) << 20);
+    keep_preferences();
+  }
+  ImGui::Separator();
+  ImGui::TextDisabled("%.1f MB in use", static_cast<double>(context_.status.rewind_bytes) / (1 << 20));
+  ImGui::EndMenu();
 }
 
 void Workbench::draw_view_menu() {

@@ -73,6 +73,7 @@ Preferences load_preferences(const PreferenceFolders& folders) {
   take_flag(json, "maximized", p.maximized);
   take_flag(json, "drawer_open", p.drawer_open);
   take_number(json, "drawer_height", p.drawer_height, 4, 200);
+  take_number(json, "rewind_megabytes", p.rewind_megabytes, 0, 1 << 20);
   const Json recent = read(folders.state / "recent.json");
   if (recent.is_array())
     for (const Json& file : recent)
@@ -87,7 +88,8 @@ void save_preferences(const Preferences& p, const PreferenceFolders& folders) {
                   {"window_height", p.window_height},
                   {"maximized", p.maximized},
                   {"drawer_open", p.drawer_open},
-                  {"drawer_height", std::round(10.0 * static_cast<double>(p.drawer_height)) / 10.0}};
+                  {"drawer_height", std::round(10.0 * static_cast<double>(p.drawer_height)) / 10.0},
+                  {"rewind_megabytes", p.rewind_megabytes}};
   write_atomically(folders.config / "preferences.json", json.dump(2) + "\n");
   Json recent = Json::array();
   for (const fs::path& file : p.recent) recent.push_back(file.string());

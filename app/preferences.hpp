@@ -17,6 +17,7 @@ struct Preferences {
   bool maximized = false;
   bool drawer_open = false;
   float drawer_height = 19.5F;                ///< [em]
+  int rewind_megabytes = 512;                 ///< for states to go back to
   std::vector<std::filesystem::path> recent;  ///< newest first, absolute
   bool operator==(const Preferences&) const = default;
 };

@@ -69,20 +69,40 @@ std::vector<Edit> only(const std::vector<Edit>& edits, Applies when) {
   return chosen;
 }
 
-void Recording::add(double time, const std::vector<Edit>& edits) {
+void Recording::add(long step, double time, const std::vector<Edit>& edits) {
   if (edits.empty()) return;
-  if (log_.empty() || log_.back().time != time) log_.push_back({time, {}});
+  const auto replaceable = [](const Edit& edit) { return !edit.value.is_string(); };
+  const auto open = [&] { return !deeds_.empty() && deeds_.back().step == step && !deeds_.back().edits.empty(); };
   for (const Edit& edit : edits) {
-    // The newest value of a place is the one that the next step saw.
-    auto& set = log_.back().set;
+    // The newest value of a place is the one that the next step saw. A choice that was made and taken back may have
+    // left its traces, though: going from APIC to FLIP forgets the affine velocities.
+    const bool again = open() && std::any_of(deeds_.back().edits.begin(), deeds_.back().edits.end(),
+                                             [&](const Edit& earlier) { return earlier.pointer == edit.pointer; });
+    if (!open() || (again && !replaceable(edit))) deeds_.push_back({.step = step, .time = time});
+    auto& set = deeds_.back().edits;
     std::erase_if(set, [&](const Edit& earlier) { return earlier.pointer == edit.pointer; });
     set.push_back(edit);
   }
 }
 
+void Recording::add_grab(long step, double time, const std::optional<Grab>& grab) {
+  if (deeds_.empty() || deeds_.back().step != step || !deeds_.back().hold)
+    deeds_.push_back({.step = step, .time = time, .hold = true});
+  deeds_.back().grab = grab;
+}
+
+void Recording::forget_after(long step) {
+  std::erase_if(deeds_, [&](const Deed& deed) { return deed.step > step; });
+}
+
+bool Recording::grabbed() const {
+  return std::any_of(deeds_.begin(), deeds_.end(), [](const Deed& deed) { return deed.grab.has_value(); });
+}
+
 Scene Recording::scene() const {
   Scene scene = built_;
-  scene.events.insert(scene.events.end(), log_.begin(), log_.end());
+  for (const Deed& deed : deeds_)
+    if (!deed.edits.empty()) scene.events.push_back({deed.time, deed.edits});
   std::stable_sort(scene.events.begin(), scene.events.end(),
                    [](const Event& a, const Event& b) { return a.time < b.time; });
   return scene;

@@ -1,10 +1,12 @@
 // What a live session changed, as edits that a scene file can carry.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/params/setting.hpp"
 #include "core/scene/scene.hpp"
+#include "core/simulation.hpp"
 
 namespace pf::app {
 
@@ -19,26 +21,41 @@ Applies applies(const Edit& edit);
 /// Those of `edits` that take effect as `when` says.
 std::vector<Edit> only(const std::vector<Edit>& edits, Applies when);
 
-/// A live session: the scene that was built, and what was changed at which time.
+/// What was done to one state of a run: settings changed, or its end, or the mouse took hold, pulled on or let go.
+struct Deed {
+  long step = 0;    ///< of the state
+  double time = 0;  ///< of the state [s]
+  std::vector<Edit> edits = {};
+  bool hold = false;  ///< it is the mouse's, and `grab` is what it does from there on
+  std::optional<Grab> grab = {};
+  std::optional<double> end = {};  ///< from there on the run ends at this time [s]
+};
+
+/// A live session: the scene that was built, and what was done at which state.
 class Recording {
  public:
   void begin(const Scene& built) {
     built_ = built;
-    log_.clear();
-    grabbed_ = false;
+    deeds_.clear();
   }
-  /// `edits` were applied to the state at `time` [s]. Those of one state become one event.
-  void add(double time, const std::vector<Edit>& edits);
+  /// `edits` were applied to the state after `step`, at `time` [s].
+  void add(long step, double time, const std::vector<Edit>& edits);
+  /// From this state on the mouse does that.
+  void add_grab(long step, double time, const std::optional<Grab>& grab);
+  /// From this state on the run ends at `end`: the last step is as long as that leaves.
+  void add_end(long step, double time, double end) { deeds_.push_back({.step = step, .time = time, .end = end}); }
+  /// Another run begins at the state after `step`: what was done to later ones is forgotten.
+  void forget_after(long step);
+  /// In the order in which it was done.
+  const std::vector<Deed>& deeds() const { return deeds_; }
   /// The mouse pulled at the material: no event can say that.
-  void note_grab() { grabbed_ = true; }
-  bool grabbed() const { return grabbed_; }
-  /// The built scene with the log added to its events, ordered by time.
+  bool grabbed() const;
+  /// The built scene with what was edited added to its events, ordered by time.
   Scene scene() const;
 
  private:
   Scene built_;
-  std::vector<Event> log_;
-  bool grabbed_ = false;
+  std::vector<Deed> deeds_;
 };
 
 }  // namespace pf::app

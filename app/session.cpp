@@ -1,5 +1,6 @@
 #include "app/session.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/worker.hpp"
@@ -32,6 +33,21 @@ void Session::step_once() {
 
 void Session::reset() {
   worker_->send(command::Reset{}, true);
+}
+
+void Session::go_to(long step) {
+  worker_->send(command::GoTo{step}, true, [step](SessionStatus& status) {
+    if (status.state == RunState::running || status.state == RunState::finished) status.state = RunState::paused;
+    if (status.state != RunState::loading) status.target = std::clamp(step, 0L, status.reached);
+  });
+}
+
+void Session::branch() {
+  worker_->send(command::Branch{}, false);
+}
+
+void Session::set_rewind_memory(std::size_t bytes) {
+  worker_->send(command::Memory{bytes}, false);
 }
 
 void Session::edit(const Scene& scene) {
@@ -103,6 +119,14 @@ Scene Session::recorded() const {
     copy = worker_->recording;
   }
   return copy.scene();
+}
+
+std::vector<double> Session::edit_times() const {
+  const std::lock_guard lock(worker_->mutex);
+  std::vector<double> times;
+  for (const Deed& deed : worker_->recording.deeds())
+    if (times.empty() || times.back() < deed.time) times.push_back(deed.time);
+  return times;
 }
 
 std::string Session::recording_warning() const {

@@ -31,8 +31,12 @@ struct SessionStatus {
   std::uint64_t run = 0;  ///< counts opens and resets: history of another run is stale
   double time = 0;        ///< [s]
   long step = 0;
-  double achieved_rate = 0;  ///< simulated seconds per wall second, smoothed
-  double step_ms = 0;        ///< smoothed wall time of a step
+  long reached = 0;            ///< the newest step of this run; later than `step` after going back
+  long target = -1;            ///< on the way to the state after this step; -1: where it is meant to be
+  std::uint64_t branches = 0;  ///< counts how often a run went on otherwise than before: its history ends at `reached`
+  std::size_t rewind_bytes = 0;  ///< memory that holds states to go back to
+  double achieved_rate = 0;      ///< simulated seconds per wall second, smoothed
+  double step_ms = 0;            ///< smoothed wall time of a step
   bool step_in_flight = false;
   bool suspended = false;  ///< stands still for somebody else, whatever its state
   Acknowledgement edit;
@@ -68,6 +72,13 @@ class Session {
   void run();
   void pause();  ///< cancels the running step: the state stays the last accepted one
   void step_once();
+  /// To the state after `step` of this run, at most SessionStatus::reached, and pauses: what was is simulated again
+  /// from the nearest state kept, with all that was edited and pulled then, to the same bytes.
+  void go_to(long step);
+  /// Goes on from the state at hand with the scene as edited: what came after it is forgotten. An edit does so, too.
+  void branch();
+  /// Memory for states to go back to; with less of it, going back takes longer.
+  void set_rewind_memory(std::size_t bytes);
   void reset();  ///< rebuilds from the edited scene; keeps running if it ran
   /// The whole edited scene, checked already; coalesced to the newest, applied at the step's end where it is live,
   /// kept for the next reset where it is not. Never cancels a step.
@@ -91,6 +102,8 @@ class Session {
   Scene recorded() const;
   /// Empty, or why recorded() does not replay this run: the mouse pulled at the material.
   std::string recording_warning() const;
+  /// When something was edited or pulled at in this run [s].
+  std::vector<double> edit_times() const;
   /// The inspector's question; answered by a later call, when the worker is between steps.
   void look(const LookQuestion& question);
   std::optional<Look> looked();

@@ -100,16 +100,18 @@ void Workbench::draw_transport() {
   const float row = layout_.transport_row;
   const Rect& bar = layout_.transport;
   const float inset = std::floor((row - ImGui::GetFrameHeight()) / 2);
-  ImGui::SetCursorPosY(inset);
+  time_line_.draw(context_, {bar.x + 0.9f * em, bar.y, bar.width - 1.8f * em, layout_.time_line});
+  ImGui::SetCursorPosY(layout_.time_line + inset);
   if (context_.slow) {
-    if (!draw_scrubber(context_, layout_.transport_rows == 2 ? row - inset / 2 : 0)) close_slow_step();
+    if (!draw_scrubber(context_, layout_.transport_rows == 2 ? layout_.time_line + row - inset / 2 : 0))
+      close_slow_step();
     return;
   }
   draw_transport_buttons();
   ImGui::SameLine();
   draw_playback_choices();
   if (layout_.transport_rows == 2)
-    ImGui::SetCursorPosY(row - inset / 2);
+    ImGui::SetCursorPosY(layout_.time_line + row - inset / 2);
   else
     ImGui::SameLine(0, em);
   draw_transport_status(ImGui::GetWindowWidth() - 0.8f * em);
@@ -184,10 +186,14 @@ void Workbench::draw_transport_status(float right_edge) {
     left = "loading…";
   } else if (s.suspended) {
     left += " – stands still while a study is timed";
+  } else if (s.target >= 0) {
+    left += " – on the way to step " + std::to_string(s.target);
   } else if (s.edit.applies_at_step >= 0 && s.step_in_flight) {
     left += " – change applies at step " + std::to_string(s.edit.applies_at_step);
   } else if (s.edit.needs_reset) {
     left += " – some changes need a reset (R)";
+  } else if (s.step < s.reached) {
+    left += " of " + std::to_string(s.reached) + " – an edit goes on from here";
   } else {
     notable = false;
     if (s.state == RunState::finished) left += " – end reached";

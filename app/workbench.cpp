@@ -45,8 +45,9 @@ void part(const char* name, const Rect& where, ImVec2 padding, int flags, const 
 
 bool same_news(const SessionStatus& a, const SessionStatus& b) {
   return a.state == b.state && a.run == b.run && a.step == b.step && a.step_in_flight == b.step_in_flight &&
-         a.edit.edit == b.edit.edit && a.edit.applies_at_step == b.edit.applies_at_step &&
-         a.edit.needs_reset == b.edit.needs_reset && a.suspended == b.suspended && a.message == b.message;
+         a.reached == b.reached && a.target == b.target && a.edit.edit == b.edit.edit &&
+         a.edit.applies_at_step == b.edit.applies_at_step && a.edit.needs_reset == b.edit.needs_reset &&
+         a.suspended == b.suspended && a.message == b.message;
 }
 
 WindowSize remembered_size(const Preferences& p) {
@@ -70,6 +71,7 @@ Workbench::Workbench(const Scene& scene, const std::filesystem::path& file, cons
     GlfwWindow::wake();
   });
   session_.set_at_end(at_end_);
+  session_.set_rewind_memory(static_cast<std::size_t>(preferences_.rewind_megabytes) << 20);
   set_actions();
   open_scene(scene, file, setup.run);  // the worker builds while fonts and shaders are made
   follow_scale();
@@ -217,10 +219,12 @@ void Workbench::follow_selection() {
 void Workbench::follow_history() {
   if (context_.status.run != shown_run_ && context_.status.state != RunState::loading) {
     shown_run_ = context_.status.run;
+    shown_branches_ = context_.status.branches;
     context_.current = {context_.scene.name, false, {}};
     if (view_) view_->begin_run(context_);
     if (view_ && std::exchange(fit_next_run_, false)) view_->fit();
   }
+  follow_branch();
   session_.drain_history(fresh_);
   auto& reports = context_.current.reports;
   const auto later =
@@ -229,9 +233,21 @@ void Workbench::follow_history() {
     if (it->run != shown_run_) continue;
     // Newton's iterations are shown for the newest steps only; a long run need not keep them all.
     if (reports.size() >= solver_history) reports[reports.size() - solver_history].newton = {};
+    while (!reports.empty() && reports.back().step >= it->report.step) reports.pop_back();
     reports.push_back(std::move(it->report));
   }
   fresh_.erase(fresh_.begin(), later);
+  time_line_.follow(context_);
+}
+
+void Workbench::follow_branch() {
+  if (context_.status.branches == std::exchange(shown_branches_, context_.status.branches)) return;
+  auto& reports = context_.current.reports;
+  const long reached = context_.status.reached;
+  // What would have come stays in sight, in grey behind what comes now.
+  constexpr long worth_keeping = 3;
+  if (!reports.empty() && reports.back().step >= reached + worth_keeping) pin();
+  while (!reports.empty() && reports.back().step > reached) reports.pop_back();
 }
 
 void Workbench::follow_scale() {

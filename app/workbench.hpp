@@ -19,6 +19,7 @@
 #include "app/preferences.hpp"
 #include "app/session.hpp"
 #include "app/studies/library.hpp"
+#include "app/time_line.hpp"
 #include "app/undo.hpp"
 
 namespace pf::app {
@@ -46,12 +47,15 @@ class Workbench {
   /// once the user has left.
   bool frame(double longest = 10);
 
+  /// The mouse of a script or a test in place of the screen's.
+  void feed(const std::optional<GlfwWindow::Pointer>& pointer) { window_.feed(pointer); }
   /// A frame drawn now: the whole window with its panels.
   Image screenshot();
 
   AppContext& context() { return context_; }
   const Layout& layout() const { return layout_; }
   const GlView& view() const { return *view_; }
+  const TimeLine& time_line() const { return time_line_; }
   long frames_drawn() const { return frames_; }
   /// What a key or a menu item does.
   void act(Action action, int index = 0);
@@ -73,6 +77,7 @@ class Workbench {
   void handle_input();
   void follow_session();
   void follow_history();
+  void follow_branch();
   void follow_selection();
   void follow_slow_step();
   void close_slow_step();
@@ -98,6 +103,7 @@ class Workbench {
   void ask_save_as();
   void ask_picture();
   void pin();
+  void show_bad_step();
   void deselect();
   void save_picture(const std::filesystem::path& file);
   void leave();
@@ -122,6 +128,7 @@ class Workbench {
   void draw_menus();
   void draw_file_menu();
   void draw_run_menu();
+  void draw_rewind_memory_menu();
   void draw_view_menu();
   void menu_item(Action action, bool checked = false);
   void draw_transport();
@@ -149,6 +156,8 @@ class Workbench {
   FileDialog file_dialog_;
   Notices notices_;
   Layout layout_;
+  TimeLine time_line_;
+  std::uint64_t shown_branches_ = 0;
 
   int settle_ = 3;  ///< frames that ImGui still needs to come to rest
   long frames_ = 0;

@@ -15,7 +15,8 @@ constexpr std::chrono::microseconds frame_time{16'600};
 template <typename T>
 constexpr bool coalesces =
     std::is_same_v<T, command::EditTo> || std::is_same_v<T, command::Rate> || std::is_same_v<T, command::Hold> ||
-    std::is_same_v<T, command::Look> || std::is_same_v<T, command::Ask> || std::is_same_v<T, command::Watch>;
+    std::is_same_v<T, command::Look> || std::is_same_v<T, command::Ask> || std::is_same_v<T, command::Watch> ||
+    std::is_same_v<T, command::GoTo>;
 
 double milliseconds(Pacer::Clock::duration d) {
   return std::chrono::duration<double, std::milli>(d).count();
@@ -96,7 +97,7 @@ bool Session::Worker::take(std::vector<command::Any>& into, std::optional<Clock:
 
 std::optional<Session::Worker::Clock::time_point> Session::Worker::next_moment() {
   const auto now = Clock::now();
-  if (single_steps_ > 0) return now;
+  if (single_steps_ > 0 || (target_ && !suspended_)) return now;
   if (!stepping()) return std::nullopt;
   const auto due = pacer_.due(simulation_->time(), now);
   return stale_ ? std::min(due, published_ + frame_time) : due;
@@ -104,8 +105,9 @@ std::optional<Session::Worker::Clock::time_point> Session::Worker::next_moment()
 
 void Session::Worker::advance() {
   const auto now = Clock::now();
-  if (stale_ && (!stepping() || now >= published_ + frame_time)) publish();
-  if (single_steps_ > 0 || (stepping() && now >= pacer_.due(simulation_->time(), now))) take_step();
+  if (stale_ && ((!stepping() && !target_) || now >= published_ + frame_time)) publish();
+  if (single_steps_ > 0 || (target_ && !suspended_) || (stepping() && now >= pacer_.due(simulation_->time(), now)))
+    take_step();
 }
 
 void Session::Worker::take_step() {
@@ -120,6 +122,8 @@ void Session::Worker::take_step() {
     if (report.status == StepStatus::accepted) {
       accept(report, ms);
       apply_events();
+      apply_recorded();
+      arrive();
     }
     if (report.status == StepStatus::failed) fail(report.failure);
     if (report.status == StepStatus::finished) finish();
@@ -147,18 +151,22 @@ void Session::Worker::accept(const StepReport& report, double step_ms) {
     status.achieved_rate = state_ == RunState::running ? pacer_.achieved() : 0;
     status.step_ms = status.step_ms > 0 ? 0.8 * status.step_ms + 0.2 * step_ms : step_ms;
     if (!report.warnings.empty()) status.message = report.warnings.back();
-    history.push_back({status.run, report});
+    if (report.step > reached_) {
+      history.push_back({status.run, report});
+      status.reached = reached_ = report.step;
+    }
     record = simulation_->record();
-    if (grabbed_) recording.note_grab();
   }
-  if (state_ != RunState::running || now >= published_ + frame_time) publish();
+  keep_keyframe();
+  if ((state_ != RunState::running && !target_) || now >= published_ + frame_time) publish();
 }
 
 void Session::Worker::apply_events() {
-  if (events_->apply_due(*simulation_) > 0) apply_end();
+  if (events_->apply_due(*simulation_) > 0) simulation_->set_end(end_);
 }
 
 void Session::Worker::finish() {
+  target_.reset();
   if (at_end_ == AtEnd::loop && state_ == RunState::running) return build(edited_, true, false);
   if (stale_) publish();
   set_state(RunState::finished);
@@ -166,6 +174,7 @@ void Session::Worker::finish() {
 
 void Session::Worker::fail(const std::string& why) {
   single_steps_ = 0;
+  target_.reset();
   if (simulation_) publish();
   {
     const std::lock_guard lock(mutex);
@@ -178,15 +187,21 @@ void Session::Worker::build(const Scene& scene, bool run, bool announce) {
   if (announce) set_state(RunState::loading);
   single_steps_ = 0;
   grabbed_ = refused_ = false;
-  built_ = edited_ = scene;
+  built_ = edited_ = applied_ = scene;
+  keyframes_.clear();
+  reached_ = 0;
+  target_.reset();
+  waiting_edit_.reset();
   simulation_.reset();  // first: two large scenes need not fit side by side
   std::string failure;
   try {
     simulation_ = factory_(scene, options_);
     simulation_->set_recording(watch_);
     events_.emplace(scene);
+    end_ = first_end_ = at_end_ == AtEnd::go_on ? std::numeric_limits<double>::infinity() : scene.time.end;
+    simulation_->set_end(end_);
+    keep_keyframe();
     apply_events();
-    apply_end();
   } catch (const std::exception& error) {
     simulation_.reset();
     failure = error.what();
@@ -252,7 +267,11 @@ void Session::Worker::call_window() {
 }
 
 void Session::Worker::apply_end() {
-  simulation_->set_end(at_end_ == AtEnd::go_on ? std::numeric_limits<double>::infinity() : edited_.time.end);
+  const double end = at_end_ == AtEnd::go_on ? std::numeric_limits<double>::infinity() : applied_.time.end;
+  simulation_->set_end(end);
+  if (end == std::exchange(end_, end)) return;
+  const std::lock_guard lock(mutex);
+  recording.add_end(simulation_->report().step, simulation_->time(), end);
 }
 
 void Session::Worker::handle(const command::Run&) {
@@ -269,6 +288,7 @@ void Session::Worker::handle(const command::Pause&) {
 }
 
 void Session::Worker::handle(const command::StepOnce&) {
+  target_.reset();
   if (!simulation_ || state_ == RunState::loading || state_ == RunState::finished || suspended_) return;
   set_state(RunState::paused);
   ++single_steps_;
@@ -280,11 +300,16 @@ void Session::Worker::handle(const command::Reset&) {
 }
 
 void Session::Worker::handle(const command::EditTo& edit) {
+  if (target_) {  // the edit is one of the state that was asked for
+    waiting_edit_ = edit;
+    return;
+  }
   const std::vector<Edit> applied = apply_live(edit.scene);
+  if (!applied.empty()) branch();
   const bool needs_reset = refused_ || !only(difference(built_, edited_), Applies::reset).empty();
   {
     const std::lock_guard lock(mutex);
-    if (simulation_) recording.add(simulation_->time(), applied);
+    if (simulation_) recording.add(simulation_->report().step, simulation_->time(), applied);
     status.edit.needs_reset = needs_reset;
     if (status.edit.edit == edit.number) status.edit.applies_at_step = -1;
   }
@@ -297,9 +322,10 @@ void Session::Worker::handle(const command::EditTo& edit) {
 
 std::vector<Edit> Session::Worker::apply_live(const Scene& scene) {
   // Against what was edited last, not against the simulation's scene: that one has the scene's own events in it.
-  std::vector<Edit> changes = only(difference(edited_, scene), Applies::live);
+  std::vector<Edit> changes = only(difference(applied_, scene), Applies::live);
   edited_ = scene;
   if (!simulation_ || changes.empty()) return {};
+  applied_ = edited(applied_, changes);
   if (!try_apply(changes)) {
     refused_ = true;
     return {};
@@ -340,12 +366,18 @@ void Session::Worker::handle(const command::Rate& rate) {
 void Session::Worker::handle(const command::End& end) {
   at_end_ = end.what;
   if (!simulation_) return;
-  apply_end();
+  if (simulation_->report().step >= reached_) apply_end();  // else where the run goes on from
   if (at_end_ == AtEnd::go_on && state_ == RunState::finished) set_state(RunState::paused);
 }
 
 void Session::Worker::handle(const command::Hold& hold) {
-  if (!simulation_) return;
+  if (!simulation_ || (!hold.grab && !grabbed_)) return;
+  target_.reset();  // what is held is what is seen
+  branch();
+  {
+    const std::lock_guard lock(mutex);
+    recording.add_grab(simulation_->report().step, simulation_->time(), hold.grab);
+  }
   grabbed_ = hold.grab.has_value();
   simulation_->set_grab(hold.grab);
   if (state_ != RunState::running) publish();
@@ -364,29 +396,6 @@ void Session::Worker::handle(const command::Ask& ask) {
   {
     const std::lock_guard lock(mutex);
     answer = std::move(found);
-  }
-  call_window();
-}
-
-void Session::Worker::handle(const command::Watch& watch) {
-  watch_ = watch.level;
-  if (simulation_) simulation_->set_recording(watch_);
-}
-
-void Session::Worker::handle(const command::TakeApart&) {
-  if (!simulation_ || state_ == RunState::loading || state_ == RunState::finished || suspended_) return;
-  set_state(RunState::paused);
-  single_steps_ = 0;
-  const std::shared_ptr<Snapshot> before = pool_.take();
-  simulation_->capture(request_, *before);
-  simulation_->set_recording(RecordLevel::all);
-  take_step();
-  simulation_->set_recording(watch_);
-  const std::shared_ptr<const StepRecord> made = simulation_->record();
-  if (!made || !made->accepted) return;
-  {
-    const std::lock_guard lock(mutex);
-    apart = ApartStep{before, newest, made};
   }
   call_window();
 }

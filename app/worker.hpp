@@ -11,6 +11,7 @@
 #include "app/recording.hpp"
 #include "app/session.hpp"
 #include "app/snapshot_pool.hpp"
+#include "core/keyframes.hpp"
 #include "core/runner.hpp"
 
 namespace pf::app {
@@ -24,6 +25,13 @@ struct Run {};
 struct Pause {};
 struct StepOnce {};
 struct Reset {};
+struct GoTo {
+  long step;
+};
+struct Branch {};
+struct Memory {
+  std::size_t bytes;
+};
 struct EditTo {
   Scene scene;
   std::uint64_t number;
@@ -50,8 +58,8 @@ struct Watch {
   RecordLevel level;
 };
 struct TakeApart {};
-using Any =
-    std::variant<Open, Run, Pause, StepOnce, Reset, EditTo, Suspend, Rate, End, Hold, Look, Ask, Watch, TakeApart>;
+using Any = std::variant<Open, Run, Pause, StepOnce, Reset, GoTo, Branch, Memory, EditTo, Suspend, Rate, End, Hold, Look,
+                         Ask, Watch, TakeApart>;
 }  // namespace command
 
 struct Session::Worker {
@@ -112,6 +120,9 @@ struct Session::Worker {
   void handle(const command::Pause&);
   void handle(const command::StepOnce&);
   void handle(const command::Reset&);
+  void handle(const command::GoTo& go);
+  void handle(const command::Branch&);
+  void handle(const command::Memory& memory);
   void handle(const command::EditTo& edit);
   void handle(const command::Suspend& suspend);
   void handle(const command::Rate& rate);
@@ -125,12 +136,28 @@ struct Session::Worker {
   std::vector<Edit> apply_live(const Scene& scene);
   bool try_apply(const std::vector<Edit>& changes);
 
+  // worker_rewind.cpp: going back to earlier states, and forward again to where the run has been
+  void keep_keyframe();
+  bool return_to(const Keyframe& keyframe);
+  void return_to_start();
+  void apply_recorded();
+  void arrive();
+  void tell_target();
+  /// Something else is done to this state than was done before: what came after it is forgotten.
+  void branch();
+
   // The worker's own.
   SimulationFactory factory_;
   SimulationOptions options_;
   std::unique_ptr<Simulation> simulation_;
   std::optional<EventSchedule> events_;
   Scene built_, edited_;
+  Scene applied_;  ///< what the state at hand has had of the edits: behind `edited_` in the past
+  Keyframes keyframes_;
+  double end_ = 0, first_end_ = 0;               ///< when the run ends, as the simulation was told; as it was built [s]
+  long reached_ = 0;                             ///< the newest state of this run
+  std::optional<long> target_;                   ///< on the way to this state of it
+  std::optional<command::EditTo> waiting_edit_;  ///< until the target is reached
   bool refused_ = false;  ///< a live edit could not be applied to this run: it waits for the reset
   RunState state_ = RunState::loading;
   bool suspended_ = false;

@@ -19,7 +19,8 @@ std::array<double, phase_count> phase_values(const PhaseTimes& t) {
 
 void Curves::follow(const std::vector<StepReport>& reports) {
   const std::size_t known = time.size();
-  if (known > reports.size() || (known > 0 && time.back() != reports[known - 1].time)) *this = Curves{};
+  const auto same = [&](const StepReport& r) { return r.time == time.back() && r.balance.total() == total.back(); };
+  if (known > reports.size() || (known > 0 && !same(reports[known - 1]))) *this = Curves{};
   for (std::size_t k = time.size(); k < reports.size(); ++k) {
     const StepReport& r = reports[k];
     time.push_back(r.time);

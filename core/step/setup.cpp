@@ -65,6 +65,11 @@ SimulationOf<D>::SimulationOf(const Scene& scene, const SimulationOptions& optio
   accepted_.linear_iterations = 0;
   describe_state(accepted_);
   control_->report(accepted_.control);
+  show_grid_at_rest(set);
+}
+
+template <int D>
+void SimulationOf<D>::show_grid_at_rest(const FeasibleSet<D>& set) {
   particles_to_grid(plan_, particles_, transfer_->affine(), parallel_, grid_);
   lumped_velocity(plan_, particles_, grid_);
   grid_.v_end = grid_.v;
@@ -229,12 +234,13 @@ std::string SimulationOf<D>::solver_choice() const {
 template SimulationOf<2>::SimulationOf(const Scene&, const SimulationOptions&);
 template SimulationOf<3>::SimulationOf(const Scene&, const SimulationOptions&);
 
-#define PF_INSTANTIATE(D)                                              \
-  template void SimulationOf<D>::make_settings();                      \
-  template void SimulationOf<D>::build_plan_or_throw();                \
-  template std::vector<double> SimulationOf<D>::domain_edges() const;  \
-  template bool SimulationOf<D>::apply(const Scene&);                  \
-  template void SimulationOf<D>::set_grab(const std::optional<Grab>&); \
+#define PF_INSTANTIATE(D)                                                  \
+  template void SimulationOf<D>::make_settings();                          \
+  template void SimulationOf<D>::show_grid_at_rest(const FeasibleSet<D>&); \
+  template void SimulationOf<D>::build_plan_or_throw();                    \
+  template std::vector<double> SimulationOf<D>::domain_edges() const;      \
+  template bool SimulationOf<D>::apply(const Scene&);                      \
+  template void SimulationOf<D>::set_grab(const std::optional<Grab>&);     \
   template std::string SimulationOf<D>::solver_choice() const;
 PF_INSTANTIATE(2)
 PF_INSTANTIATE(3)

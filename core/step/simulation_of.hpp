@@ -96,6 +96,8 @@ class SimulationOf final : public Simulation {
   void tell_of_blend(const MassMatrix<D>& M, StepReport& report);
   Attempt judge(const NewtonResult& newton, const StepChoice& choice, StepReport& report);
   void keep_grid(const FeasibleSet<D>& set);
+  /// For pictures of a state that no step led to.
+  void show_grid_at_rest(const FeasibleSet<D>& set);
   void guess_friction(FeasibleSet<D>& set) const;
   void keep_friction(const FeasibleSet<D>& set);
   void fill_diagnostics(StepReport& report) const;

@@ -155,6 +155,7 @@ void SimulationOf<D>::load_state(std::istream& in) {
   accepted_.active_nodes = plan_.node_count();
   chosen_solver_ = solver_of(solver);
   solves_ = {chosen_solver_, solves[0], solves[1], solves[2]};
+  show_grid_at_rest(conditions_.at(plan_, time_, 0));
 }
 
 template void SimulationOf<2>::save_state(std::ostream&) const;

@@ -16,6 +16,8 @@ TEST_CASE("keys mean what the design says") {
   means(GLFW_KEY_SPACE, 0, Action::run_pause);
   means(GLFW_KEY_RIGHT, 0, Action::step);
   means(GLFW_KEY_R, 0, Action::reset);
+  means(GLFW_KEY_LEFT, 0, Action::step_back);
+  means(GLFW_KEY_B, 0, Action::bad_step);
   means(GLFW_KEY_F, 0, Action::fit);
   means(GLFW_KEY_G, 0, Action::grid);
   means(GLFW_KEY_V, 0, Action::vectors);

@@ -30,6 +30,7 @@ TEST_CASE("preferences come back as they were saved, and nothing else is left in
   p.window_height = 900;
   p.maximized = p.drawer_open = true;
   p.drawer_height = 20;
+  p.rewind_megabytes = 2048;
   p.recent = {"/a/b.json", "/c/d e.json"};
   save_preferences(p, scratch.folders);
   CHECK(load_preferences(scratch.folders) == p);

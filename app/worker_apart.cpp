@@ -1,0 +1,31 @@
+// One step recorded as it is taken, to be looked at slowly.
+#include "app/worker.hpp"
+
+namespace pf::app {
+
+void Session::Worker::handle(const command::Watch& watch) {
+  watch_ = watch.level;
+  if (simulation_) simulation_->set_recording(watch_);
+}
+
+void Session::Worker::handle(const command::TakeApart&) {
+  if (!simulation_ || state_ == RunState::loading || state_ == RunState::finished || suspended_) return;
+  set_state(RunState::paused);
+  single_steps_ = 0;
+  target_.reset();
+  tell_target();
+  const std::shared_ptr<Snapshot> before = pool_.take();
+  simulation_->capture(request_, *before);
+  simulation_->set_recording(RecordLevel::all);
+  take_step();
+  simulation_->set_recording(watch_);
+  const std::shared_ptr<const StepRecord> made = simulation_->record();
+  if (!made || !made->accepted) return;
+  {
+    const std::lock_guard lock(mutex);
+    apart = ApartStep{before, newest, made};
+  }
+  call_window();
+}
+
+}  // namespace pf::app
