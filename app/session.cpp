@@ -46,6 +46,14 @@ void Session::branch() {
   worker_->send(command::Branch{}, false);
 }
 
+void Session::set_ledger(bool on) {
+  if (std::exchange(ledger_, on) != on) worker_->send(command::Ledger{on}, false);
+}
+
+void Session::recount() {
+  worker_->send(command::Recount{}, true);
+}
+
 void Session::set_rewind_memory(std::size_t bytes) {
   worker_->send(command::Memory{bytes}, false);
 }

@@ -47,6 +47,7 @@ struct SessionStatus {
 /// What the plots keep of each accepted step.
 struct HistorySample {
   std::uint64_t run = 0;
+  bool again = false;  ///< the same step as before, simulated again: its energies are counted now
   StepReport report;
 };
 
@@ -86,6 +87,11 @@ class Session {
   /// Stands still until called with false, for runs that are being timed: no step is taken, what is under way is
   /// cancelled, the state stays. SessionStatus::suspended says when it has come to that. From any thread.
   void suspend(bool on);
+  /// Counts where energy comes from and goes to (StepReport::energy) from the next step on, or no more. To be called
+  /// as often as one likes.
+  void set_ledger(bool on);
+  /// Simulates the run again from its start to where it has been, and counts.
+  void recount();
   void set_rate(double simulated_per_wall);  ///< 1: real time; 0: as fast as possible
   void set_at_end(AtEnd what);
   void set_grab(const std::optional<Grab>& grab);
@@ -117,6 +123,7 @@ class Session {
 
  private:
   struct Worker;
+  bool ledger_ = false;  ///< as was asked last
   std::unique_ptr<Worker> worker_;
 };
 

@@ -231,6 +231,11 @@ void Workbench::follow_history() {
       std::stable_partition(fresh_.begin(), fresh_.end(), [&](const HistorySample& s) { return s.run <= shown_run_; });
   for (auto it = fresh_.begin(); it != later; ++it) {
     if (it->run != shown_run_) continue;
+    if (it->again) {
+      const auto k = static_cast<std::size_t>(it->report.step);
+      if (k < reports.size() && reports[k].step == it->report.step) reports[k].energy = it->report.energy;
+      continue;
+    }
     // Newton's iterations are shown for the newest steps only; a long run need not keep them all.
     if (reports.size() >= solver_history) reports[reports.size() - solver_history].newton = {};
     while (!reports.empty() && reports.back().step >= it->report.step) reports.pop_back();

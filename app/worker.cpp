@@ -152,8 +152,10 @@ void Session::Worker::accept(const StepReport& report, double step_ms) {
     status.step_ms = status.step_ms > 0 ? 0.8 * status.step_ms + 0.2 * step_ms : step_ms;
     if (!report.warnings.empty()) status.message = report.warnings.back();
     if (report.step > reached_) {
-      history.push_back({status.run, report});
+      history.push_back({status.run, false, report});
       status.reached = reached_ = report.step;
+    } else if (report.energy.known) {
+      history.push_back({status.run, true, report});
     }
     record = simulation_->record();
   }
@@ -197,6 +199,7 @@ void Session::Worker::build(const Scene& scene, bool run, bool announce) {
   try {
     simulation_ = factory_(scene, options_);
     simulation_->set_recording(watch_);
+    simulation_->set_ledger(ledger_);
     events_.emplace(scene);
     end_ = first_end_ = at_end_ == AtEnd::go_on ? std::numeric_limits<double>::infinity() : scene.time.end;
     simulation_->set_end(end_);
@@ -223,7 +226,7 @@ void Session::Worker::build(const Scene& scene, bool run, bool announce) {
     if (simulation_) {
       status.time = simulation_->time();
       status.solver_choice = simulation_->solver_choice();
-      history.push_back({status.run, simulation_->report()});
+      history.push_back({status.run, false, simulation_->report()});
     }
   }
   if (!simulation_) return fail(failure);

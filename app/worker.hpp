@@ -29,6 +29,10 @@ struct GoTo {
   long step;
 };
 struct Branch {};
+struct Ledger {
+  bool on;
+};
+struct Recount {};
 struct Memory {
   std::size_t bytes;
 };
@@ -58,8 +62,8 @@ struct Watch {
   RecordLevel level;
 };
 struct TakeApart {};
-using Any = std::variant<Open, Run, Pause, StepOnce, Reset, GoTo, Branch, Memory, EditTo, Suspend, Rate, End, Hold, Look,
-                         Ask, Watch, TakeApart>;
+using Any = std::variant<Open, Run, Pause, StepOnce, Reset, GoTo, Branch, Ledger, Recount, Memory, EditTo, Suspend,
+                         Rate, End, Hold, Look, Ask, Watch, TakeApart>;
 }  // namespace command
 
 struct Session::Worker {
@@ -122,6 +126,8 @@ struct Session::Worker {
   void handle(const command::Reset&);
   void handle(const command::GoTo& go);
   void handle(const command::Branch&);
+  void handle(const command::Ledger& ledger);
+  void handle(const command::Recount&);
   void handle(const command::Memory& memory);
   void handle(const command::EditTo& edit);
   void handle(const command::Suspend& suspend);
@@ -140,6 +146,8 @@ struct Session::Worker {
   void keep_keyframe();
   bool return_to(const Keyframe& keyframe);
   void return_to_start();
+  /// From there, or from the start, on the way to `target`.
+  void go_from(const Keyframe* keyframe, long target);
   void apply_recorded();
   void arrive();
   void tell_target();
@@ -160,7 +168,7 @@ struct Session::Worker {
   std::optional<command::EditTo> waiting_edit_;  ///< until the target is reached
   bool refused_ = false;  ///< a live edit could not be applied to this run: it waits for the reset
   RunState state_ = RunState::loading;
-  bool suspended_ = false;
+  bool suspended_ = false, ledger_ = false;
   AtEnd at_end_ = AtEnd::pause;
   Pacer pacer_;
   double rate_ = 1;

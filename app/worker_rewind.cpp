@@ -49,6 +49,7 @@ void Session::Worker::return_to_start() {
   simulation_.reset();
   simulation_ = factory_(built_, options_);
   simulation_->set_recording(watch_);
+  simulation_->set_ledger(ledger_);
   applied_ = built_;
   events_.emplace(built_);
   simulation_->set_end(end_ = first_end_);
@@ -113,17 +114,23 @@ void Session::Worker::handle(const command::GoTo& go) {
   const long now = simulation_ ? simulation_->report().step : -1;
   const Keyframe* nearest = keyframes_.before(*target_);
   const bool back = *target_ < now || now < 0, shortcut = nearest && nearest->step > now;
-  if (back || shortcut) {
-    if (!simulation_ || !nearest || !return_to(*nearest)) return_to_start();
-    apply_events();
-    apply_recorded();
-    {
-      const std::lock_guard lock(mutex);
-      status.step = simulation_->report().step;
-      status.time = simulation_->time();
-    }
-    stale_ = true;
+  if (back || shortcut) return go_from(nearest, *target_);
+  tell_target();
+  arrive();
+}
+
+void Session::Worker::go_from(const Keyframe* keyframe, long target) {
+  target_ = target;
+  single_steps_ = 0;
+  if (!simulation_ || !keyframe || !return_to(*keyframe)) return_to_start();
+  apply_events();
+  apply_recorded();
+  {
+    const std::lock_guard lock(mutex);
+    status.step = simulation_->report().step;
+    status.time = simulation_->time();
   }
+  stale_ = true;
   tell_target();
   arrive();
 }
@@ -139,6 +146,17 @@ void Session::Worker::handle(const command::Branch&) {
   tell_target();
   branch();
   handle(command::EditTo{edited_, number});
+}
+
+void Session::Worker::handle(const command::Ledger& ledger) {
+  ledger_ = ledger.on;
+  if (simulation_) simulation_->set_ledger(ledger_);
+}
+
+void Session::Worker::handle(const command::Recount&) {
+  if (!simulation_ || state_ == RunState::loading || reached_ == 0) return;
+  set_state(RunState::paused);
+  go_from(nullptr, reached_);
 }
 
 void Session::Worker::handle(const command::Memory& memory) {

@@ -71,6 +71,8 @@ class Simulation {
   /// Applies a changed scene between steps. False, and nothing done, when the change needs a reset (Setting::applies).
   /// Throws InputError when the changed conditions contradict each other; nothing is done then either.
   virtual bool apply(const Scene& scene) = 0;
+  /// Whether steps fill in StepReport::energy: about one gradient a stage more. Changes no result.
+  virtual void set_ledger(bool /*on*/) {}
   virtual void set_grab(const std::optional<Grab>& grab) = 0;
 
   virtual void capture(const SnapshotRequest& request, Snapshot& into) const = 0;

@@ -52,6 +52,20 @@ struct AngularLedger {
   Vec3 outside = Vec3::Zero();  ///< by torques about the origin: gravity, loads, walls, constraints, the mouse's spring
 };
 
+/// How a step changed the energy of the particles [J], by cause: all entries add up to the change, to rounding. What
+/// comes in is positive. Works are of the mean force of the step over its displacement.
+struct EnergyLedger {
+  bool known = false;                    ///< it was asked for (Simulation::set_ledger)
+  double loads = 0;                      ///< tractions and body forces; gravity's is the potential energy's
+  double boundary = 0;                   ///< walls, their friction, and constraints
+  double mouse = 0;                      ///< the mouse's spring
+  double time_integration = 0;           ///< mean forces over a step are no integrals along the way
+  double to_grid = 0, to_particles = 0;  ///< the transfers
+  double solver = 0;                     ///< what Newton's method left unbalanced
+  double edits = 0;                      ///< what edits of the scene changed before the step
+  double sum() const { return loads + boundary + mouse + time_integration + to_grid + to_particles + solver + edits; }
+};
+
 struct ErrorNorms {
   bool known = false;  ///< the scene has an exact motion
   double l2 = 0, max = 0, velocity_l2 = 0, F_l2 = 0;
@@ -98,6 +112,7 @@ struct StepReport {
   int linear_iterations = 0;
   Balance balance;
   AngularLedger angular;
+  EnergyLedger energy;
   ErrorNorms error;
   double min_J = 1, max_J = 1;
   int active_nodes = 0;

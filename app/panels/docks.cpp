@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/panels/memory.hpp"
+#include "app/panels/panels.hpp"
 #include "app/theme.hpp"
 #include "app/widgets/run_list.hpp"
 #include "app/widgets/text.hpp"
@@ -135,7 +136,9 @@ void draw_bottom_drawer(AppContext& context) {
   }
   const auto shown = std::find_if(plots.begin(), plots.end(), [&](const Panel* p) { return m.plot == p->title; });
   // A closed drawer is its tabs alone.
-  if (shown != plots.end() && ImGui::GetContentRegionAvail().y > em(4)) {
+  const bool open = shown != plots.end() && ImGui::GetContentRegionAvail().y > em(4);
+  context.session.set_ledger(open && (*shown)->draw == draw_balance_plot);
+  if (open) {
     ImGui::PushID((*shown)->title);
     (*shown)->draw(context);
     ImGui::PopID();

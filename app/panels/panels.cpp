@@ -42,6 +42,7 @@ const std::vector<Panel>& panels() {
       {"Particle", Dock::right, selected, draw_particle_panel},
       {"Node", Dock::right, node_selected, draw_node_panel},
       {"Energy", Dock::bottom, always, draw_energy_plot},
+      {"Energy balance", Dock::bottom, always, draw_balance_plot},
       {"Momentum", Dock::bottom, always, draw_momentum_plot},
       {"Convergence", Dock::bottom, solves, draw_convergence_plot},
       {"Time by phase", Dock::bottom, always, draw_phases_plot},

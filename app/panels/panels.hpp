@@ -18,6 +18,7 @@ void draw_particle_panel(AppContext& context);
 void draw_node_panel(AppContext& context);
 
 void draw_energy_plot(AppContext& context);
+void draw_balance_plot(AppContext& context);
 void draw_momentum_plot(AppContext& context);
 void draw_convergence_plot(AppContext& context);
 void draw_phases_plot(AppContext& context);

@@ -45,6 +45,7 @@ struct PlotMemory {
   bool angular = true;  ///< momentum plot: angular, else linear
   bool split_loss = true;
   PlotView view[4];
+  PlotView balance_view;
   bool relabel = false;  ///< a run was unpinned: the labels may get shorter
 };
 

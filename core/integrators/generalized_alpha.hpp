@@ -19,6 +19,7 @@ class GeneralizedAlpha final : public Integrator<D> {
  public:
   explicit GeneralizedAlpha(double spectral_radius) : r_(spectral_radius) {}
   bool carries_acceleration() const override { return true; }
+  std::vector<ForcePart> parts(double) const override { return {{1, 1 - r_ / (r_ + 1), 0, 0}}; }
   StepResult advance(const StepProblem<D>& problem) override;
 
  private:

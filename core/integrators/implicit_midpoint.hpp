@@ -12,6 +12,7 @@ template <int D>
 class ImplicitMidpoint final : public Integrator<D> {
  public:
   double force_place() const override { return 0.5; }
+  std::vector<ForcePart> parts(double) const override { return {{1, 0.5, 0.5}}; }
   StepResult advance(const StepProblem<D>& problem) override;
 
  private:

@@ -28,6 +28,14 @@ struct StageImpulse {
   Vector impulse;  ///< [N s]
 };
 
+/// One evaluation of the forces whose weighted mean over the step changes the velocities.
+struct ForcePart {
+  double weight;    ///< in the mean; all add up to 1 (an explicit step with a kick: to kick / dt)
+  double fraction;  ///< of dt, when the loads were taken
+  double place;     ///< where the nodes stood, as a part of the step's displacement
+  int stage = -1;   ///< or there where this one of StepResult::impulses did
+};
+
 /// What a stage asks of the scene.
 template <int D>
 class StepConditions {
@@ -73,6 +81,8 @@ class Integrator {
   /// Where the forces act that make v_end of v, as a part of the step's displacement: 1 for backward Euler, 0 for
   /// symplectic Euler; for the ledger of angular momentum.
   virtual double force_place() const { return 1; }
+  /// What M (v_end - v) / dt is the sum of, but for what holds the nodes; `kick`: over dt, of an explicit step.
+  virtual std::vector<ForcePart> parts(double /*kick*/) const { return {{1, 1, 1}}; }
   /// Whether particles carry an acceleration from step to step (GridState::a).
   virtual bool carries_acceleration() const { return false; }
   virtual StepResult advance(const StepProblem<D>& problem) = 0;

@@ -11,6 +11,7 @@ template <int D>
 class SymplecticEuler final : public Integrator<D> {
  public:
   double force_place() const override { return 0; }
+  std::vector<ForcePart> parts(double kick) const override { return {{kick, 0, 0}}; }
   StepResult advance(const StepProblem<D>& problem) override;
 
  private:

@@ -6,9 +6,19 @@
 
 namespace pf {
 
+namespace {
+
+constexpr double g = 2 - std::numbers::sqrt2, weight = 1 / (g * (2 - g)), past = (1 - g) * (1 - g);
+
+}  // namespace
+
+template <int D>
+std::vector<ForcePart> TrBdf2<D>::parts(double) const {
+  return {{g / 2 * weight, 0, 0}, {g / 2 * weight, g, 0, 1}, {g / 2, 1, 1}};
+}
+
 template <int D>
 StepResult TrBdf2<D>::advance(const StepProblem<D>& problem) {
-  constexpr double g = 2 - std::numbers::sqrt2, weight = 1 / (g * (2 - g)), past = (1 - g) * (1 - g);
   GridState<D>& grid = problem.grid;
   const double k = g / 2 * problem.dt;  // = (1-g)/(2-g) dt
   const Vector &v = grid.v, nowhere = Vector::Zero(v.size());

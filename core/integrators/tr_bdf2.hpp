@@ -15,6 +15,7 @@ namespace pf {
 template <int D>
 class TrBdf2 final : public Integrator<D> {
  public:
+  std::vector<ForcePart> parts(double) const override;
   StepResult advance(const StepProblem<D>& problem) override;
 
  private:

@@ -12,6 +12,7 @@ namespace pf {
 template <int D>
 class Trapezoidal final : public Integrator<D> {
  public:
+  std::vector<ForcePart> parts(double) const override { return {{0.5, 0, 0}, {0.5, 1, 1}}; }
   StepResult advance(const StepProblem<D>& problem) override;
 
  private:

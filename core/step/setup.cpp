@@ -183,8 +183,12 @@ bool SimulationOf<D>::apply(const Scene& scene) {
   if (control) make_control();
   if (was_affine && !transfer_->affine())
     for (Mat<D>& C : particles_.C) C.setZero();
-  if (physics || basis)
+  if (physics || basis) {
+    const double before = accepted_.balance.total();
     accepted_.balance = particle_balance<D>(particles_, laws_, plan_, transfer_->affine(), loads_.gravity(), parallel_);
+    if (!find_integrator(scene_.integrator.type)->inertia) accepted_.balance.kinetic = 0;
+    edited_energy_ += accepted_.balance.total() - before;
+  }
   return true;
 }
 

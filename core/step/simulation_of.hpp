@@ -39,6 +39,7 @@ class SimulationOf final : public Simulation {
   const StepReport& step(const std::atomic<bool>* cancel) override;
   void set_end(double end) override { end_ = end; }
   bool apply(const Scene& scene) override;
+  void set_ledger(bool on) override { ledger_ = on; }
   void set_grab(const std::optional<Grab>& grab) override;
   void capture(const SnapshotRequest& request, Snapshot& into) const override;
   std::vector<ProbeReading> probes() const override;
@@ -148,6 +149,9 @@ class SimulationOf final : public Simulation {
   Held held_;
   std::optional<Grab> grab_;
   double grab_stiffness_ = 0;
+
+  bool ledger_ = false;
+  double edited_energy_ = 0;  ///< what edits changed the energy by since the last step [J]
 };
 
 }  // namespace pf

@@ -149,6 +149,7 @@ void SimulationOf<D>::load_state(std::istream& in) {
   control_ = std::move(control);
   build_plan_or_throw();
   accepted_ = {};
+  edited_energy_ = 0;
   accepted_.step = step;
   describe_state(accepted_);
   control_->report(accepted_.control);

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "core/step/balance.hpp"
+#include "core/step/energy_ledger.hpp"
 #include "core/step/simulation_of.hpp"
 #include "core/step/step_recorder.hpp"
 
@@ -224,9 +225,22 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
     Stages apart(*this, dt);  // a load that is no number at t^n is not the step's trouble
     recorder->begin_step(accepted_.step + 1, time_, dt, apart);
   }
-  StepResult result = integrator.advance({plan_, M, elastic, spring ? &*spring : nullptr, set, stages, dt, newton,
-                                          *linear_, parallel_, cancel, grid_, choice.kick,
-                                          adaptive ? &outcome.error_rate : nullptr, recorder ? &*recorder : nullptr});
+  const StepProblem<D> problem{plan_,
+                               M,
+                               elastic,
+                               spring ? &*spring : nullptr,
+                               set,
+                               stages,
+                               dt,
+                               newton,
+                               *linear_,
+                               parallel_,
+                               cancel,
+                               grid_,
+                               choice.kick,
+                               adaptive ? &outcome.error_rate : nullptr,
+                               recorder ? &*recorder : nullptr};
+  StepResult result = integrator.advance(problem);
   NewtonResult& solved = result.newton;
   if (recorder) record_ = recorder->solved(solved.iterations);
   const SolverWork solver_work = linear_->take_work();
@@ -256,6 +270,13 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
   for (const StageImpulse& stage : result.impulses)
     report.angular.outside += grid_angular_momentum(plan_, stage.u, 1, stage.impulse);
   report.angular.time_integration = L_after - L_before - report.angular.outside;
+  GridEnergies energies;
+  if (ledger_ && solved.status == NewtonStatus::converged) {
+    // Counted work decides things; what is looked at must not.
+    const Work counted = work_;
+    energies = grid_energies<D>({problem, integrator, result, loads_.gravity(), before, after, has_inertia(choice)});
+    work_ = counted;
+  }
   report.grab_force = spring ? spring->force(grid_.u).norm() : 0;
   lap(report.ms.diagnostics);
 
@@ -290,6 +311,9 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
   // Velocities that are only reported have no momentum that transfers or the time scheme could lose.
   if (!has_inertia(choice))
     report.angular = {.outside = report.balance.angular_momentum - accepted_.balance.angular_momentum};
+  if (ledger_)
+    report.energy = close_ledger(energies, accepted_.balance, report.balance, has_inertia(choice), edited_energy_);
+  edited_energy_ = 0;
   report.work = work_;
   tell_control(outcome, report);
   lap(report.ms.diagnostics);
