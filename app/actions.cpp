@@ -203,14 +203,17 @@ void Workbench::act(Action action, int index) {
 }
 
 void Workbench::deselect() {
-  if (view_ && view_->tool_holds())
-    view_->cancel_tool(context_);
-  else if (context_.slow)
+  const bool held = view_ && view_->tool_holds();
+  if (view_) view_->cancel_tool(context_);  // a polygon is begun without being held
+  if (held) return;
+  if (context_.slow)
     close_slow_step();
   else if (context_.selected_node)
     context_.selected_node.reset();
   else if (context_.selected_particle)
     context_.selected_particle.reset();
+  else if (context_.selected_item)
+    context_.selected_item.reset();
   else
     context_.view.hide_panels = false;
 }
@@ -254,6 +257,7 @@ void Workbench::show_scene(const Scene& scene, const fs::path& file, bool run) {
   close_slow_step();
   context_.selected_particle.reset();
   context_.selected_node.reset();
+  context_.selected_item.reset();
   context_.inspected.reset();
   if (const FieldInfo* info = find_field(scene.view.color_by)) context_.view.field = info->field;
   context_.view.lock_range = false;
@@ -328,6 +332,13 @@ void Workbench::ask_save_as() {
 }
 
 void Workbench::ask_open() {
+  settle_changes([this] {
+    scene_picker_.open(scenes_folder(), preferences_.recent);
+    settle_ = 3;
+  });
+}
+
+void Workbench::browse() {
   settle_changes([this] {
     FileDialog::Request request;
     request.title = "Open scene";

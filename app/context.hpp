@@ -37,6 +37,14 @@ struct ViewState {
   bool hide_panels = false;  ///< Tab
 };
 
+/// What a scene is made of, as the outline lists it.
+enum class ItemKind { material, body, boundary, constraint, load, probe };
+struct SceneItem {
+  ItemKind kind = ItemKind::body;
+  std::size_t index = 0;
+  bool operator==(const SceneItem&) const = default;
+};
+
 /// Curves of one run, kept for the plots.
 struct RunHistory {
   std::string label;
@@ -67,6 +75,8 @@ struct AppContext {
   RunHistory current;
   std::deque<RunHistory> pinned;
   std::optional<std::uint32_t> selected_particle;
+  std::optional<SceneItem> selected_item;  ///< of the outline
+  std::string tool = "grab";               ///< key of the tool in hand
   std::optional<ParticleState> inspected;
   std::optional<NodeIndex> selected_node;
   std::optional<Look> looked;                ///< at the selected particle and node, at the newest state

@@ -66,6 +66,7 @@ void labelled(const char* label, const std::string& text) {
 
 void Workbench::draw_dialogs() {
   draw_unsaved_question();
+  scene_picker_.draw([this](const std::filesystem::path& file) { load_file(file); }, [this] { browse(); });
   file_dialog_.draw();
   draw_problems();
   draw_help();

@@ -9,6 +9,7 @@
 #include "app/imgui_painter.hpp"
 #include "app/inside/overlay.hpp"
 #include "app/inside/step_player.hpp"
+#include "app/outline/outlines.hpp"
 #include "app/theme.hpp"
 #include "core/charts/png_painter.hpp"
 #include "render/overlay.hpp"
@@ -196,7 +197,16 @@ void GlView::cancel_tool(AppContext& context) {
   if (drag_ == Drag::tool) drag_ = Drag::none;
 }
 
+void GlView::choose_tool(AppContext& context) {
+  for (std::size_t k = 0; k < tools().size(); ++k) {
+    if (context.tool != tools()[k].key || k == tool_) continue;
+    cancel_tool(context);
+    tool_ = k;
+  }
+}
+
 void GlView::handle_mouse(AppContext& context) {
+  choose_tool(context);
   const ImGuiIO& io = ImGui::GetIO();
   if (drag_ != Drag::none) handle_hold(context);
   const bool over = where_.contains(io.MousePos.x, io.MousePos.y) && !io.WantCaptureMouse;
@@ -289,6 +299,7 @@ void GlView::draw_tool(AppContext& context, ImDrawList& list) {
   ImGuiPainter painter(list);
   painter.push_clip({where_.x, where_.y}, {where_.right(), where_.bottom()});
   const CameraMap map(*this);
+  draw_selection(painter, map, context);
   draw_inside(painter, map, over ? &mouse : nullptr, context);
   tools_[tool_]->draw(painter, map, over || held_ ? &mouse : nullptr, context);
   painter.pop_clip();

@@ -62,6 +62,7 @@ class GlView {
   Vec<2> to_view_pixel(Point2 window) const;
   ViewMargins margins() const;
   float overlay_scale() const;
+  void choose_tool(AppContext& context);
   void handle_press(AppContext& context);
   void handle_hold(AppContext& context);
   void handle_camera();

@@ -86,7 +86,21 @@ GlfwWindow::GlfwWindow(const std::string& title, WindowSize size, bool visible) 
   }
 }
 
-void GlfwWindow::create(const std::string& title, WindowSize size, bool visible) {
+namespace {
+
+/// No larger than the screen has room for; on several screens than the first one's.
+WindowSize clamped(WindowSize size) {
+  int x = 0, y = 0, width = 0, height = 0;
+  if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) glfwGetMonitorWorkarea(monitor, &x, &y, &width, &height);
+  if (width > 0) size.width = std::min(size.width, width);
+  if (height > 0) size.height = std::min(size.height, height);
+  return size;
+}
+
+}  // namespace
+
+void GlfwWindow::create(const std::string& title, WindowSize wanted, bool visible) {
+  const WindowSize size = clamped(wanted);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);

@@ -97,6 +97,14 @@ void save_preferences(const Preferences& p, const PreferenceFolders& folders) {
                    recent.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
+void forget_preferences(const PreferenceFolders& folders) {
+  for (const fs::path& file : {folders.config / "preferences.json", folders.state / "recent.json"}) {
+    std::error_code error;
+    fs::remove(file, error);
+    if (error) throw FileError("cannot remove " + file.string() + ": " + error.message());
+  }
+}
+
 void note_recent(Preferences& preferences, const fs::path& file) {
   std::error_code error;
   const fs::path whole = fs::absolute(file, error).lexically_normal();

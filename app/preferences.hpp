@@ -35,6 +35,8 @@ PreferenceFolders default_folders();
 Preferences load_preferences(const PreferenceFolders& folders);
 /// Writes both files atomically. Throws FileError.
 void save_preferences(const Preferences& preferences, const PreferenceFolders& folders);
+/// Back to the defaults; recent files are forgotten, too. Throws FileError.
+void forget_preferences(const PreferenceFolders& folders);
 /// Moves `file` to the front of the recent ones.
 void note_recent(Preferences& preferences, const std::filesystem::path& file);
 

@@ -30,6 +30,11 @@ bool keeps_keys(const Json& from, const Json& to) {
   return true;
 }
 
+/// Whether `to` is all of `from`, and more after it.
+bool grown(const Json& from, const Json& to) {
+  return !from.empty() && from.size() < to.size() && std::equal(from.begin(), from.end(), to.begin());
+}
+
 void collect(const Json& from, const Json& to, const std::string& pointer, std::vector<Edit>& edits) {
   if (from == to) return;
   if (from.is_object() && to.is_object() && keeps_keys(from, to)) {
@@ -42,6 +47,8 @@ void collect(const Json& from, const Json& to, const std::string& pointer, std::
     }
   } else if (from.is_array() && to.is_array() && from.size() == to.size()) {
     for (std::size_t i = 0; i < to.size(); ++i) collect(from[i], to[i], pointer + "/" + std::to_string(i), edits);
+  } else if (from.is_array() && to.is_array() && grown(from, to)) {
+    for (std::size_t i = from.size(); i < to.size(); ++i) edits.push_back({pointer + "/-", to[i]});
   } else {
     edits.push_back({pointer, to});
   }
@@ -56,6 +63,7 @@ std::vector<Edit> difference(const Scene& from, const Scene& to) {
 }
 
 Applies applies(const Edit& edit) {
+  if (edit.pointer == "/bodies/-") return Applies::live;  // it enters the running simulation
   for (std::string pointer = edit.pointer; !pointer.empty(); pointer.erase(pointer.rfind('/'))) {
     if (const Setting* setting = find_setting(pointer)) return setting->applies;
   }
@@ -72,13 +80,14 @@ std::vector<Edit> only(const std::vector<Edit>& edits, Applies when) {
 void Recording::add(long step, double time, const std::vector<Edit>& edits) {
   if (edits.empty()) return;
   const auto replaceable = [](const Edit& edit) { return !edit.value.is_string(); };
+  const auto appends = [](const Edit& edit) { return edit.pointer.ends_with("/-"); };
   const auto open = [&] { return !deeds_.empty() && deeds_.back().step == step && !deeds_.back().edits.empty(); };
   for (const Edit& edit : edits) {
     // The newest value of a place is the one that the next step saw. A choice that was made and taken back may have
-    // left its traces, though: going from APIC to FLIP forgets the affine velocities.
+    // left its traces, though: going from APIC to FLIP forgets the affine velocities. And an event has each place once.
     const bool again = open() && std::any_of(deeds_.back().edits.begin(), deeds_.back().edits.end(),
                                              [&](const Edit& earlier) { return earlier.pointer == edit.pointer; });
-    if (!open() || (again && !replaceable(edit))) deeds_.push_back({.step = step, .time = time});
+    if (!open() || (again && (!replaceable(edit) || appends(edit)))) deeds_.push_back({.step = step, .time = time});
     auto& set = deeds_.back().edits;
     std::erase_if(set, [&](const Edit& earlier) { return earlier.pointer == edit.pointer; });
     set.push_back(edit);

@@ -11,7 +11,8 @@
 namespace pf::app {
 
 /// The edits that turn `from` into `to`, as deep in the document as its structure allows: edited(from, ...) equals
-/// `to`. Arrays of another length are replaced whole.
+/// `to`. Arrays that have
+/// grown are appended to ("/bodies/-"), others of another length replaced whole.
 std::vector<Edit> difference(const Scene& from, const Scene& to);
 
 /// When an edit takes effect: that of its setting or of the nearest setting above it; `reset` when none is known

@@ -1,6 +1,7 @@
 // Undo and redo of scene edits.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
@@ -34,7 +35,8 @@ class UndoStack {
   void push(const Document& before, const std::vector<Edit>& edits, Clock::time_point now = Clock::now()) {
     std::string places;
     for (const Edit& edit : edits) places += edit.pointer + "\n";
-    const bool same_gesture = !past_.empty() && !edits.empty() && places == last_ && now - when_ < gesture;
+    const bool same_gesture = !past_.empty() && !edits.empty() && places == last_ && now - when_ < gesture &&
+                              std::all_of(edits.begin(), edits.end(), [](const Edit& e) { return is_value(e.value); });
     last_ = places;
     when_ = now;
     future_.clear();
@@ -51,6 +53,13 @@ class UndoStack {
  private:
   static constexpr std::chrono::milliseconds gesture{700};
   static constexpr std::size_t most = 200;
+
+  /// Of a slider or a field: things that come and go are each a step of their own.
+  static bool is_value(const nlohmann::json& json) {
+    return json.is_primitive() ||
+           (json.is_array() &&
+            std::all_of(json.begin(), json.end(), [](const nlohmann::json& j) { return j.is_primitive(); }));
+  }
 
   std::optional<Document> move(std::vector<Document>& from, std::vector<Document>& to, const Document& now) {
     last_.clear();

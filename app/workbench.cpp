@@ -168,7 +168,7 @@ void Workbench::handle_input() {
   for (const auto& key : window_.take_keys()) {
     const auto press = find_key(key.key, key.mods);
     if (!press || (key.repeated && press->action != Action::step)) continue;
-    const bool modal = ImGui::GetTopMostPopupModal() != nullptr || file_dialog_.is_open();
+    const bool modal = ImGui::GetTopMostPopupModal() != nullptr || file_dialog_.is_open() || scene_picker_.is_open();
     if (!modal && possible(press->action)) act(press->action, press->index);
   }
   for (const auto& file : window_.take_dropped()) {
@@ -327,6 +327,7 @@ void Workbench::draw_parts() {
     draw_bottom_drawer(context_);
     draw_drawer_toggle();
   });
+  draw_tool_bar();
   draw_failure_banner();
   notices_.draw(layout_.view);
   draw_dialogs();

@@ -17,6 +17,7 @@
 #include "app/layout.hpp"
 #include "app/notices.hpp"
 #include "app/preferences.hpp"
+#include "app/scene_picker.hpp"
 #include "app/session.hpp"
 #include "app/studies/library.hpp"
 #include "app/time_line.hpp"
@@ -55,6 +56,7 @@ class Workbench {
   AppContext& context() { return context_; }
   const Layout& layout() const { return layout_; }
   const GlView& view() const { return *view_; }
+  const ScenePicker& scene_picker() const { return scene_picker_; }
   const TimeLine& time_line() const { return time_line_; }
   long frames_drawn() const { return frames_; }
   /// What a key or a menu item does.
@@ -86,6 +88,7 @@ class Workbench {
   void draw();
   void draw_parts();
   void draw_drawer_toggle();
+  void draw_tool_bar();
   void draw_splitter();
 
   // actions.cpp
@@ -98,6 +101,7 @@ class Workbench {
   bool save_to(const std::filesystem::path& file, const Scene& scene);
   void save();
   void ask_open();
+  void browse();
   void ask_save(const std::string& title, const std::string& extension, const std::filesystem::path& proposal,
                 std::function<void(const std::filesystem::path&)> done);
   void ask_save_as();
@@ -154,6 +158,7 @@ class Workbench {
   std::uint64_t document_ = 0, documents_ = 0;  ///< the number of the one shown; numbers given
   std::unique_ptr<GlView> view_;
   FileDialog file_dialog_;
+  ScenePicker scene_picker_;
   Notices notices_;
   Layout layout_;
   TimeLine time_line_;

@@ -5,6 +5,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/live_edit.hpp"
+
 namespace pf::app {
 namespace {
 
@@ -269,14 +271,6 @@ void Session::Worker::call_window() {
   if (call) call();
 }
 
-void Session::Worker::apply_end() {
-  const double end = at_end_ == AtEnd::go_on ? std::numeric_limits<double>::infinity() : applied_.time.end;
-  simulation_->set_end(end);
-  if (end == std::exchange(end_, end)) return;
-  const std::lock_guard lock(mutex);
-  recording.add_end(simulation_->report().step, simulation_->time(), end);
-}
-
 void Session::Worker::handle(const command::Run&) {
   if (state_ == RunState::finished && at_end_ != AtEnd::go_on) return build(edited_, true, false);  // play again
   if (!simulation_ || state_ == RunState::loading) return;
@@ -343,7 +337,7 @@ bool Session::Worker::try_apply(const std::vector<Edit>& changes) {
     for (const Edit& change : changes)
       if (change.pointer.starts_with(waiting.pointer + "/")) return false;
   try {
-    return simulation_->apply(edited(simulation_->scene(), changes));
+    return simulation_->apply(edited_live(simulation_->scene(), changes));
   } catch (const InputError&) {
     return false;  // does not fit what the run's own events made of the scene
   }

@@ -1,9 +1,11 @@
 // Going back: from the nearest keyframe, or from the start, forward again with all that was done on the way.
 #include <algorithm>
+#include <limits>
 #include <sstream>
 #include <utility>
 
 #include "app/worker.hpp"
+#include "core/live_edit.hpp"
 
 namespace pf::app {
 
@@ -32,7 +34,11 @@ bool Session::Worker::return_to(const Keyframe& keyframe) {
   simulation_->set_grab(std::nullopt);
   grabbed_ = false;
   try {
-    if (!simulation_->apply(*keyframe.scene)) return false;
+    // A body that entered since then does not leave: without it the simulation is built anew.
+    if (!simulation_->apply(*keyframe.scene)) {
+      return_to_start();
+      if (!simulation_->apply(*keyframe.scene)) return false;
+    }
     std::istringstream in(keyframe.state);
     simulation_->load_state(in);
   } catch (const InputError&) {
@@ -70,10 +76,18 @@ void Session::Worker::apply_recorded() {
       continue;
     }
     applied_ = edited(applied_, deed->edits);
-    simulation_->apply(edited(simulation_->scene(), deed->edits));
+    simulation_->apply(edited_live(simulation_->scene(), deed->edits));
     simulation_->set_end(end_);
   }
   if (step >= reached_) apply_end();
+}
+
+void Session::Worker::apply_end() {
+  const double end = at_end_ == AtEnd::go_on ? std::numeric_limits<double>::infinity() : applied_.time.end;
+  simulation_->set_end(end);
+  if (end == std::exchange(end_, end)) return;
+  const std::lock_guard lock(mutex);
+  recording.add_end(simulation_->report().step, simulation_->time(), end);
 }
 
 void Session::Worker::tell_target() {

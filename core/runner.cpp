@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/scene/scene_io.hpp"
+#include "core/live_edit.hpp"
 
 namespace pf {
 
@@ -26,7 +26,7 @@ EventSchedule::EventSchedule(const Scene& scene, std::size_t applied) : applied_
 
 void EventSchedule::apply_next(Simulation& simulation) {
   const Entry& entry = entries_[applied_];
-  if (!simulation.apply(edited(simulation.scene(), entry.event.set))) {
+  if (!simulation.apply(edited_live(simulation.scene(), entry.event.set))) {
     std::string pointers;
     for (const Edit& edit : entry.event.set) pointers += (pointers.empty() ? "" : ", ") + edit.pointer;
     throw InputError("", {{"/events/" + std::to_string(entry.index) + "/set", pointers,

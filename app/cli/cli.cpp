@@ -6,6 +6,7 @@
 #include <new>
 
 #include "app/cli/commands.hpp"
+#include "app/preferences.hpp"
 #include "core/bases/basis.hpp"
 #include "core/build_info.hpp"
 #include "core/output/export.hpp"
@@ -36,7 +37,7 @@ struct Parsed {
   StudyRunOptions study;
   VerifyOptions verify;
   std::string images;
-  bool version = false;
+  bool version = false, reset_settings = false;
 };
 
 // "1280x800"; throws CLI::ValidationError.
@@ -208,6 +209,7 @@ void add_commands(CLI::App& app, Parsed& parsed) {
   add_sets(app, parsed.sets);
   app.formatter(std::make_shared<HelpFormatter>());
   app.set_help_flag("--help,-h", "this text; each subcommand has its own");
+  app.add_flag("--reset-settings", parsed.reset_settings, "the window as at first: theme, sizes, recent files");
   app.add_flag("--version", parsed.version, "version, commit and compiler");
   app.footer(exit_statuses);
   app.require_subcommand(0, 1);
@@ -289,6 +291,7 @@ int dispatch(CLI::App& app, Parsed& parsed) {
   if (app.got_subcommand("schema")) return print_schema();
   if (app.got_subcommand("bench")) return run_bench(parsed.bench);
   if (is_unknown_command(app, parsed.scene)) return exit_bad_input;
+  if (parsed.reset_settings) forget_preferences(default_folders());
   return open_app(parsed.scene, parsed.sets);
 }
 

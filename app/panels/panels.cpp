@@ -32,6 +32,7 @@ bool node_selected(const AppContext& c) {
 const std::vector<Panel>& panels() {
   static const std::vector<Panel> table{
       {"Scene", Dock::left, always, draw_scene_panel},
+      {"Outline", Dock::left, always, draw_outline_panel},
       {"Material", Dock::left, always, draw_material_panel},
       {"Time", Dock::left, always, draw_time_panel},
       {"Transfer", Dock::left, moves, draw_transfer_panel},

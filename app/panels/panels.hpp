@@ -6,6 +6,7 @@
 namespace pf::app {
 
 void draw_scene_panel(AppContext& context);
+void draw_outline_panel(AppContext& context);
 void draw_material_panel(AppContext& context);
 void draw_time_panel(AppContext& context);
 void draw_transfer_panel(AppContext& context);

@@ -68,6 +68,7 @@ struct ToolInfo {
   const char* label;  ///< plain name: "Grab"
   const char* help;   ///< one sentence: what the mouse does
   std::unique_ptr<Tool> (*make)();
+  bool flat_only = false;  ///< of no use in 3D
 };
 /// Every tool, the default first (explicit table in tools.cpp).
 const std::vector<ToolInfo>& tools();

@@ -1,3 +1,4 @@
+#include "app/tools/edit_tools.hpp"
 #include "app/tools/grab.hpp"
 #include "app/tools/tool.hpp"
 
@@ -8,6 +9,18 @@ const std::vector<ToolInfo>& tools() {
       {"grab", "Grab",
        "Drag pulls the material, the wheel sets how much of it; a click selects a particle, with Ctrl a node.",
        make_grab_tool},
+      {"arrange", "Arrange",
+       "Selects bodies, walls, supports and loads; drag moves them, the round knob turns, the square one scales. In "
+       "half "
+       "cells and steps of 15\u00b0; with Ctrl freely.",
+       make_arrange_tool},
+      {"box", "Box", "Drag from corner to corner: the body enters the running simulation, of the selected material.",
+       make_box_tool},
+      {"ball", "Ball",
+       "Drag from the centre outwards: the body enters the running simulation, of the selected material.",
+       make_ball_tool},
+      {"polygon", "Polygon", "Click the corners; a click on the first one closes it. Esc forgets them.",
+       make_polygon_tool, true},
   };
   return table;
 }

@@ -79,10 +79,15 @@ void SimulationOf<D>::show_grid_at_rest(const FeasibleSet<D>& set) {
 
 template <int D>
 void SimulationOf<D>::add_body(std::size_t index) {
+  add_body(index, sample_body(scene_, index));
+}
+
+template <int D>
+void SimulationOf<D>::add_body(std::size_t index, const Samples& samples) {
   const Body& body = scene_.bodies[index];
   const std::size_t material = material_index(scene_, body.material);
-  const Samples samples = sample_body(scene_, index);
   const FormulaField<D> velocity(body.velocity, scene_.constants, mask_reference);
+  const bool carried = !particles_.a.empty();
   for (const Vec3& full : samples.X) {
     const Vec<D> X = full.head<D>();
     particles_.X.push_back(X);
@@ -90,6 +95,7 @@ void SimulationOf<D>::add_body(std::size_t index) {
     particles_.v.push_back(velocity(X, X, 0));
     particles_.F.push_back(Mat<D>::Identity());
     particles_.C.push_back(Mat<D>::Zero());
+    if (carried) particles_.a.push_back(Vec<D>::Zero());
     particles_.mass.push_back(scene_.materials[material].density * samples.volume);
     particles_.volume0.push_back(samples.volume);
     particles_.id.push_back(static_cast<std::uint32_t>(particles_.id.size()));
@@ -137,10 +143,15 @@ bool alike(const std::vector<T>& a, const std::vector<T>& b, Same&& same) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
 }
 
-/// Whether all that particles, surfaces, walls and the known motion were made from is the same.
+/// Whether `a` is all of `b`, and perhaps more after it.
+bool extends(const std::vector<Body>& a, const std::vector<Body>& b) {
+  return a.size() >= b.size() && std::equal(b.begin(), b.end(), a.begin());
+}
+
+/// Whether all that particles, surfaces, walls and the known motion were made from is the same; bodies may have come.
 bool made_alike(const Scene& a, const Scene& b) {
   return a.dimension == b.dimension && a.constants == b.constants && a.grid.spacing == b.grid.spacing &&
-         a.bodies == b.bodies && a.exact_position == b.exact_position && a.manufactured == b.manufactured &&
+         extends(a.bodies, b.bodies) && a.exact_position == b.exact_position && a.manufactured == b.manufactured &&
          a.probes == b.probes &&
          alike(a.materials, b.materials,
                [](const Material& m, const Material& n) { return m.name == n.name && m.density == n.density; }) &&
@@ -156,6 +167,11 @@ bool made_alike(const Scene& a, const Scene& b) {
 template <int D>
 bool SimulationOf<D>::apply(const Scene& scene) {
   if (!made_alike(scene, scene_)) return false;
+  const std::size_t bodies = scene_.bodies.size();
+  const bool more = scene.bodies.size() > bodies;
+  if (more && known_.known()) return false;  // a known motion is that of the bodies at its start
+  std::vector<Samples> coming;               // refuses what has no particle while nothing has changed yet
+  for (std::size_t k = bodies; k < scene.bodies.size(); ++k) coming.push_back(sample_body(scene, k));
   const bool walls = scene.boundaries != scene_.boundaries || scene.constraints != scene_.constraints;
   if (walls) {
     Conditions<D> changed(scene);
@@ -180,10 +196,17 @@ bool SimulationOf<D>::apply(const Scene& scene) {
     build_plan_or_throw();
   }
   if (physics || other_control) make_settings();
-  if (control) make_control();
+  for (std::size_t k = bodies; k < scene.bodies.size(); ++k) add_body(k, coming[k - bodies]);
+  if (more) {
+    view_ = std::make_shared<SceneView>(make_scene_view(scene_));
+    plan_.set_domains(domain_edges());
+    plan_.set_edges(edge_planes(scene_, particles_));
+    build_plan_or_throw();
+  }
+  if (control || more) make_control();
   if (was_affine && !transfer_->affine())
     for (Mat<D>& C : particles_.C) C.setZero();
-  if (physics || basis) {
+  if (physics || basis || more) {
     const double before = accepted_.balance.total();
     accepted_.balance = particle_balance<D>(particles_, laws_, plan_, transfer_->affine(), loads_.gravity(), parallel_);
     if (!find_integrator(scene_.integrator.type)->inertia) accepted_.balance.kinetic = 0;

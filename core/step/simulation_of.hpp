@@ -9,6 +9,7 @@
 #include "core/energies/grab.hpp"
 #include "core/integrators/integrator.hpp"
 #include "core/look.hpp"
+#include "core/scene/sampling.hpp"
 #include "core/simulation.hpp"
 #include "core/step/conditions.hpp"
 #include "core/step/known_motion.hpp"
@@ -74,6 +75,7 @@ class SimulationOf final : public Simulation {
   };
 
   void add_body(std::size_t index);
+  void add_body(std::size_t index, const Samples& samples);
   void make_settings();
   void choose_solver(double dt);
   std::string automatic_solver(double dt);

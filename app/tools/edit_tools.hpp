@@ -1,0 +1,13 @@
+// Tools that change the scene: arrange what is there, draw bodies.
+#pragma once
+
+#include "app/tools/tool.hpp"
+
+namespace pf::app {
+
+std::unique_ptr<Tool> make_arrange_tool();
+std::unique_ptr<Tool> make_box_tool();
+std::unique_ptr<Tool> make_ball_tool();
+std::unique_ptr<Tool> make_polygon_tool();
+
+}  // namespace pf::app
