@@ -6,8 +6,6 @@
 #include "app/inside/step_player.hpp"
 #include "app/panels/memory.hpp"
 #include "app/workbench.hpp"
-#include "core/assets.hpp"
-#include "core/build_info.hpp"
 #include "core/diagnostics/fields.hpp"
 #include "core/files.hpp"
 #include "render/picture.hpp"
@@ -29,14 +27,6 @@ fs::path picture_folder() {
   }
   std::error_code error;
   return fs::current_path(error);
-}
-
-fs::path scenes_folder() {
-  try {
-    return asset_path("scenes");
-  } catch (const FileError&) {
-    return {};
-  }
 }
 
 }  // namespace
@@ -151,6 +141,10 @@ void Workbench::act(Action action, int index) {
       session_.take_apart();
       break;
     case Action::step_back:
+      if (context_.slow) {
+        context_.slow->previous();
+        break;
+      }
       session_.go_to(TimeLine::wanted_step(context_.status) - 1);
       break;
     case Action::bad_step:
@@ -292,102 +286,6 @@ void Workbench::report_trouble(const std::string& source, const std::string& wha
   context_.problems = {{"", what, ""}};
   context_.problems_source = source;
   show_problems_ = true;
-  settle_ = 3;
-}
-
-bool Workbench::save_to(const fs::path& file, const Scene& scene) {
-  try {
-    save_scene(scene, file);
-    remember_file(file);
-    notices_.add("Saved " + file.string());
-    settle_ = 3;
-    return true;
-  } catch (const FileError& error) {
-    report_file_trouble(error.what());
-    return false;
-  }
-}
-
-bool Workbench::shipped(const fs::path& file) const {
-  std::error_code error;
-  const fs::path folder = fs::canonical(scenes_folder(), error);
-  return !error && fs::weakly_canonical(file, error).parent_path() == folder;
-}
-
-void Workbench::save() {
-  // The scenes that come with the program stay as they came.
-  if (context_.scene_file.empty() || shipped(context_.scene_file)) return ask_save_as();
-  if (save_to(context_.scene_file, context_.scene)) context_.unsaved = false;
-}
-
-void Workbench::ask_save_as() {
-  const bool ours = !context_.scene_file.empty() && !shipped(context_.scene_file);
-  const fs::path proposal = ours ? context_.scene_file : fs::path(file_stem(context_.scene.name, "scene") + ".json");
-  ask_save("Save scene", ".json", proposal, [this](const fs::path& file) {
-    if (!save_to(file, context_.scene)) return;
-    context_.scene_file = file;
-    context_.unsaved = false;
-    if (after_changes_) std::exchange(after_changes_, {})();
-  });
-}
-
-void Workbench::ask_open() {
-  settle_changes([this] {
-    scene_picker_.open(scenes_folder(), preferences_.recent);
-    settle_ = 3;
-  });
-}
-
-void Workbench::browse() {
-  settle_changes([this] {
-    FileDialog::Request request;
-    request.title = "Open scene";
-    request.start = context_.scene_file.empty() ? fs::path() : context_.scene_file.parent_path();
-    request.places = {scenes_folder()};
-    for (const fs::path& recent : preferences_.recent)
-      if (std::find(request.places.begin(), request.places.end(), recent.parent_path()) == request.places.end())
-        request.places.push_back(recent.parent_path());
-    request.done = [this](const fs::path& file) { load_file(file); };
-    file_dialog_.ask(std::move(request));
-    settle_ = 3;
-  });
-}
-
-void Workbench::ask_save(const std::string& title, const std::string& extension, const fs::path& proposal,
-                         std::function<void(const fs::path&)> done) {
-  FileDialog::Request request;
-  request.purpose = FileDialog::Purpose::save;
-  request.title = title;
-  request.extension = extension;
-  request.start = proposal;
-  for (const fs::path& recent : preferences_.recent)
-    if (std::find(request.places.begin(), request.places.end(), recent.parent_path()) == request.places.end())
-      request.places.push_back(recent.parent_path());
-  request.done = std::move(done);
-  file_dialog_.ask(std::move(request));
-  settle_ = 3;
-}
-
-void Workbench::ask_picture() {
-  ask_save("Save picture", ".png", context_.save_folder / (file_stem(context_.scene.name, "scene") + ".png"),
-           [this](const fs::path& file) {
-             picture_wanted_ = file;
-             settle_ = 3;
-           });
-}
-
-void Workbench::save_picture(const fs::path& file) {
-  const BuildInfo build = build_info();
-  const ImageText about{{"Title", context_.scene.name},
-                        {"Software", "Pushforward " + std::string(build.version)},
-                        {"Commit", std::string(build.commit)},
-                        {"Scene hash", scene_hash(context_.scene)}};
-  try {
-    write_png(view_->picture(context_), file, about);
-    notices_.add("Saved " + file.string());
-  } catch (const std::exception& error) {
-    report_file_trouble(error.what());
-  }
   settle_ = 3;
 }
 

@@ -42,7 +42,8 @@ void Workbench::follow_slow_step() {
   }
   if (!context_.slow) return;
   // Whatever goes on with the run ends the show.
-  if (context_.status.state == RunState::running || context_.status.state == RunState::loading)
+  if (context_.status.state == RunState::running || context_.status.state == RunState::loading ||
+      context_.status.target >= 0)
     return close_slow_step();
   const auto now = Clock::now();
   // A window that was not drawn for a while does not jump.
