@@ -32,12 +32,12 @@ bool node_selected(const AppContext& c) {
 const std::vector<Panel>& panels() {
   static const std::vector<Panel> table{
       {"Scene", Dock::left, always, draw_scene_panel},
-      {"Outline", Dock::left, always, draw_outline_panel},
       {"Material", Dock::left, always, draw_material_panel},
       {"Time", Dock::left, always, draw_time_panel},
       {"Transfer", Dock::left, moves, draw_transfer_panel},
       {"Solver", Dock::left, solves, draw_solver_panel},
       {"View", Dock::left, always, draw_view_panel},
+      {"Outline", Dock::left, always, draw_outline_panel},
       {"Lesson", Dock::right, in_lesson, draw_lesson_panel},
       {"One step", Dock::right, slow, draw_phase_panel},
       {"Particle", Dock::right, selected, draw_particle_panel},
