@@ -104,10 +104,10 @@ class Plan {
   /// Weights of a batch: for each axis K values N, then for each axis K values dN/dx [1/m]; a lane a particle;
   /// any finite numbers in the lanes beyond count. In 3D computed anew, in `room` for 2 D K, from where the particles
   /// stand in their cell: that is quicker than fetching six times as many numbers from memory. In 2D, where all else is
-  /// as little work, they are kept, as are those that are not the spline's own. Dense weights: see
-  /// there.
+  /// as little work, they are kept as long as a cache may hold them, as are those that are not the spline's own. Dense
+  /// weights: see there.
   const Wide<W>* weights(int batch, Wide<W>* room) const {
-    if (D == 2 || stride_ > 0) return kept_.data() + static_cast<std::ptrdiff_t>(batch) * stride_;
+    if (stride_ > 0) return kept_.data() + static_cast<std::ptrdiff_t>(batch) * stride_;
     compute_weights(batch, room);
     return room;
   }
@@ -132,6 +132,7 @@ class Plan {
   void end_edges(const std::array<long long, D>& first, Wide<W>* w) const;
   /// Nodes of the cell that dense weights of a batch reach.
   std::uint64_t reached(int batch) const;
+  static constexpr std::size_t most_kept = std::size_t{8} << 20;  ///< bytes
   void compute_weights(int batch, Wide<W>* w) const {
     const int n = D * basis_->nodes_per_axis;
     const Wide<W>* const t = place_.data() + static_cast<std::ptrdiff_t>(batch) * D;
