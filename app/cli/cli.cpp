@@ -178,7 +178,9 @@ void add_study(CLI::App& app, StudyRunOptions& study) {
 
 void add_verify(CLI::App& app, VerifyOptions& verify) {
   CLI::App* command = app.add_subcommand("verify", "cases with known answers: error, observed order, pass or fail");
-  command->add_option("NAME", verify.cases, "cases to run, \"quick\" for the short ones, or files; default all");
+  command->add_option("NAME", verify.cases,
+                      "cases to run, \"quick\" for the short ones, \"failures\" for the gallery of failures, or files; "
+                      "default all but these");
   command->add_flag("--list", verify.list, "the cases, one first on each line");
   command->add_option("--json", verify.json, "write the results there, too")->type_name("FILE");
   command->add_option("--out", verify.out, "keep each case's results.csv and charts in a folder of its name there")

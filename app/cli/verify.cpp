@@ -28,11 +28,12 @@ struct Case {
   Study study;
 };
 
-std::vector<fs::path> shipped_cases() {
+/// `folder` of the assets: "verification", or "failures": where methods fail, and what cures it.
+std::vector<fs::path> shipped_cases(const char* folder) {
   std::vector<fs::path> files;
   std::error_code ignored;
   for (const fs::path& root : asset_roots())
-    for (const auto& entry : fs::directory_iterator(root / "verification", ignored))
+    for (const auto& entry : fs::directory_iterator(root / folder, ignored))
       if (entry.path().extension() == ".json") files.push_back(entry.path());
   std::ranges::sort(files, {}, [](const fs::path& file) { return file.stem(); });
   const auto same_name = [](const fs::path& a, const fs::path& b) { return a.stem() == b.stem(); };
@@ -40,16 +41,23 @@ std::vector<fs::path> shipped_cases() {
   return files;
 }
 
-/// Those of the names, files or shipped cases; all shipped ones where there are no names; "quick" for the short ones.
+/// Those of the names, files or shipped cases; where there are no names, all that verify. "quick" stands for the short
+/// ones of these, "failures" for all that show a failure and its cure.
 std::vector<Case> find_cases(const std::vector<std::string>& names) {
-  const std::vector<fs::path> shipped = shipped_cases();
+  const std::vector<fs::path> verifying = shipped_cases("verification"), failing = shipped_cases("failures");
+  std::vector<fs::path> shipped = verifying;
+  shipped.insert(shipped.end(), failing.begin(), failing.end());
   std::vector<Case> cases;
   const auto add = [&](const fs::path& file) { cases.push_back({file.stem().string(), load_study(file)}); };
-  if (names.empty()) std::ranges::for_each(shipped, add);
+  if (names.empty()) std::ranges::for_each(verifying, add);
   for (const std::string& name : names) {
     if (name == "quick") {
-      for (const fs::path& file : shipped)
+      for (const fs::path& file : verifying)
         if (load_study(file).quick) add(file);
+      continue;
+    }
+    if (name == "failures") {
+      std::ranges::for_each(failing, add);
       continue;
     }
     std::error_code ignored;
@@ -59,7 +67,7 @@ std::vector<Case> find_cases(const std::vector<std::string>& names) {
     } else if (fs::is_regular_file(name, ignored)) {
       add(name);
     } else {
-      std::vector<std::string> known = {"quick"};
+      std::vector<std::string> known = {"quick", "failures"};
       for (const fs::path& file : shipped) known.push_back(file.stem().string());
       const std::string near = nearest_name(name, known);
       throw FileError(name + ": there is no such case or file" +

@@ -94,8 +94,10 @@ const std::set<std::string> energies{"kinetic_energy", "elastic_energy", "potent
 const std::set<std::string> effort{
     "dt",         "newton_iterations", "linear_iterations", "residual",      "active_nodes",
     "cfl",        "error_l2",          "error_max",         "error_F_l2",    "error_velocity_l2",
-    "error_rate", "explicit_limit",    "implicit_cost",     "explicit_cost", "given_up"};
-const std::set<std::string> not_numbers{"integrator", "limited_by"};
+    "error_rate", "explicit_limit",    "implicit_cost",     "explicit_cost", "given_up",
+    "converged"};
+/// Columns that are not, or not in every row, numbers.
+const std::set<std::string> not_numbers{"integrator", "limited_by", "stable_step"};
 
 std::map<std::string, std::vector<std::string>> stats_fields(const CsvTable& table) {
   std::map<std::string, std::vector<std::string>> fields;

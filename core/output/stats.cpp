@@ -39,10 +39,11 @@ std::string stats_header(int dimension, bool exact, bool adaptive) {
   header += "angular_momentum_z,min_J,max_J,active_nodes,cfl,wall_ms";
   if (exact) header += ",error_l2,error_max,error_velocity_l2,error_F_l2";
   if (adaptive) header += ",integrator,limited_by,error_rate,explicit_limit,implicit_cost,explicit_cost,given_up";
-  return header;
+  return header + ",stable_step,converged";
 }
 
-std::string stats_row(const StepReport& report, int dimension, bool exact, bool adaptive) {
+std::string stats_row(const StepReport& report, int dimension, bool exact, bool adaptive,
+                      std::optional<double> stable_step, bool converged) {
   const Balance& balance = report.balance;
   std::string row = std::to_string(report.step);
   add(row, report.time);
@@ -72,7 +73,9 @@ std::string stats_row(const StepReport& report, int dimension, bool exact, bool 
       add(row, value);
     add(row, static_cast<long>(control.given_up));
   }
-  return row;
+  row += ',';
+  if (stable_step) append_number(row, *stable_step);
+  return row + (converged ? ",1" : ",0");
 }
 
 std::string probes_header(int dimension) {
@@ -90,7 +93,11 @@ StatsWriter::StatsWriter(const fs::path& file, const Scene& scene, std::optional
 
 void StatsWriter::on_state(const Simulation& simulation) {
   if (simulation.report().step <= kept_step_) return;
-  file_.write(stats_row(simulation.report(), dimension_, exact_, adaptive_) + '\n');
+  const StepReport& report = simulation.report();
+  const bool converged = report.newton.empty() || report.residual <= simulation.scene().solver.newton_tolerance;
+  std::optional<double> stable_step;
+  if (report.step % stable_step_rows == 0) stable_step = simulation.stable_step();
+  file_.write(stats_row(report, dimension_, exact_, adaptive_, stable_step, converged) + '\n');
   file_.flush();
 }
 

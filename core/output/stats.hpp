@@ -13,10 +13,16 @@ namespace pf {
 
 /// First line of stats.csv, without its end. In 2D momentum_z and angular momentum about x and y are left out;
 /// errors are there where the scene has an exact motion, and with adaptive steps what was chosen and why:
-/// integrator,limited_by,error_rate,explicit_limit,implicit_cost,explicit_cost,given_up (ControlReport).
+/// integrator,limited_by,error_rate,explicit_limit,implicit_cost,explicit_cost,given_up (ControlReport). Last of all
+/// stable_step: what an explicit step could be [s], in the rows whose step is a multiple of stable_step_rows, empty in
+/// the others; and converged: 1 where Newton's residual came below the tolerance (an explicit step has none to bring
+/// down), 0 where it stopped at what rounding leaves of it.
 std::string stats_header(int dimension, bool exact, bool adaptive = false);
 /// One row, without its end.
-std::string stats_row(const StepReport& report, int dimension, bool exact, bool adaptive = false);
+std::string stats_row(const StepReport& report, int dimension, bool exact, bool adaptive,
+                      std::optional<double> stable_step = {}, bool converged = true);
+/// How often stable_step is worked out: it costs about as much as an implicit step.
+inline constexpr long stable_step_rows = 50;
 
 /// First line of probes.csv.
 std::string probes_header(int dimension);

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "core/energies/explicit_limit.hpp"
+#include "core/energies/stable_step.hpp"
 #include "core/step/simulation_of.hpp"
 #include "core/work_weights.hpp"
 
@@ -102,6 +103,15 @@ void SimulationOf<D>::tell_control(StepOutcome outcome, StepReport& report) {
   report.control.limited_by = outcome.choice.limited_by;
 }
 
+template <int D>
+double SimulationOf<D>::stable_step() const {
+  GridState<D> grid;
+  particles_to_grid(plan_, particles_, false, parallel_, grid);
+  Work uncounted;
+  ElasticEnergy<D> elastic(plan_, particles_, laws_, parallel_, uncounted);
+  return pf::stable_step(elastic, grid.mass, conditions_.at(plan_, time_, 0));
+}
+
 #define PF_INSTANTIATE(D)                                                     \
   template double SimulationOf<D>::weigh(const Work&) const;                  \
   template std::unique_ptr<StepControl> SimulationOf<D>::new_control() const; \
@@ -109,7 +119,8 @@ void SimulationOf<D>::tell_control(StepOutcome outcome, StepReport& report) {
   template Integrator<D>& SimulationOf<D>::integrator_of(const StepChoice&);  \
   template bool SimulationOf<D>::has_inertia(const StepChoice&) const;        \
   template StepChoice SimulationOf<D>::first_choice();                        \
-  template void SimulationOf<D>::tell_control(StepOutcome, StepReport&);
+  template void SimulationOf<D>::tell_control(StepOutcome, StepReport&);      \
+  template double SimulationOf<D>::stable_step() const;
 PF_INSTANTIATE(2)
 PF_INSTANTIATE(3)
 #undef PF_INSTANTIATE

@@ -49,6 +49,7 @@ class SimulationOf final : public Simulation {
   Look look(const LookQuestion& question) const override;
   void set_recording(RecordLevel level) override { recording_ = level; }
   std::shared_ptr<const StepRecord> record() const override { return record_; }
+  double stable_step() const override;
   std::string solver_choice() const override;
   void save_state(std::ostream& out) const override;
   void load_state(std::istream& in) override;

@@ -29,6 +29,20 @@ TEST_CASE("verify: the quick cases pass") {
   for (const auto& c : all["cases"]) CHECK(c["passed"] == true);
 }
 
+TEST_CASE("verify: every failure of the gallery shows, and its cure cures it") {
+  const Workplace here;
+  const Outcome outcome = here.run("verify failures --json all.json");
+  CAPTURE(outcome.out);
+  CHECK(outcome.status == 0);
+  const auto all = nlohmann::json::parse(pf::read_file(here / "all.json"));
+  CHECK(all["cases"].size() >= 12);
+  for (const auto& c : all["cases"]) {
+    CAPTURE(c["case"]);
+    CHECK(c["passed"] == true);
+    CHECK(c["checks"].size() >= 2);  // the failure and the cure
+  }
+}
+
 TEST_CASE("verify: a file of one's own, exit status 1 where a check fails, results kept on demand") {
   const Workplace here;
   here.put("scene.json", falling_block);

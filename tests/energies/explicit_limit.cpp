@@ -3,6 +3,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "core/energies/stable_step.hpp"
 #include "tests/energies/terms.hpp"
 
 using namespace pf;
@@ -48,6 +49,20 @@ double limit_of(test::Grid<D>& grid) {
 }
 
 template <int D>
+void check_sharp(std::string_view basis, int count) {
+  CAPTURE(D);
+  CAPTURE(basis);
+  CAPTURE(count);
+  test::Grid<D> grid(at_rest<D>(count), basis, spacing);
+  const double values[] = {1e5, 0.3};
+  grid.laws.push_back(make_law<D>("neo_hookean", values));
+  ElasticEnergy<D> elastic(grid.plan, grid.particles, grid.laws, grid.parallel, grid.work);
+  const double step = stable_step(elastic, grid.state.mass, FeasibleSet<D>()), right = true_limit(grid);
+  CHECK(step >= right * (1 - 1e-6));  // Lanczos sees frequencies from below
+  CHECK(step < 1.01 * right);
+}
+
+template <int D>
 void check_bound(std::string_view basis, int count) {
   CAPTURE(D);
   CAPTURE(basis);
@@ -83,4 +98,31 @@ TEST_CASE("at rest the explicit limit of quadratic splines is 0.816 dx/c, and it
   const double along = mu * (s * s + 1) + lambda * (1 - std::log(s));
   CHECK(limit_of(grid) == doctest::Approx(2 / std::sqrt(6.0) * spacing / std::sqrt(along / density)).epsilon(0x1p-24));
   CHECK(limit_of(grid) < 0.6 * at_rest);
+}
+
+TEST_CASE("the stable step is 2 over the grid's highest frequency, to a per cent") {
+  for (const BasisInfo& basis : bases())
+    for (const int count : {1, 7, 60}) {
+      check_sharp<2>(basis.name, count);
+      check_sharp<3>(basis.name, count);
+    }
+}
+
+TEST_CASE("nodes that are held take no part in the stable step; where all are, there is none") {
+  test::Grid<2> grid(at_rest<2>(40), "quadratic", spacing);
+  const double values[] = {1e5, 0.3};
+  grid.laws.push_back(make_law<2>("neo_hookean", values));
+  ElasticEnergy<2> elastic(grid.plan, grid.particles, grid.laws, grid.parallel, grid.work);
+  FeasibleSet<2> set;
+  const double all_free = stable_step(elastic, grid.state.mass, set);
+  for (int i = 0; i < grid.plan.node_count(); ++i) {
+    NodeConstraint<2> held{};
+    held.node = i;
+    held.free(0, 0) = 1;  // along x alone
+    held.free(0, 1) = held.free(1, 0) = held.free(1, 1) = 0;
+    set.constrained.push_back(held);
+  }
+  CHECK(stable_step(elastic, grid.state.mass, set) > all_free);
+  for (NodeConstraint<2>& c : set.constrained) c.free.setZero();
+  CHECK(std::isinf(stable_step(elastic, grid.state.mass, set)));
 }

@@ -17,6 +17,7 @@ class FreeFlight : public Simulation {
   const Scene& scene() const override { return scene_; }
   std::size_t particle_count() const override { return 2; }
   double mass() const override { return 4; }
+  double stable_step() const override { return 0.125; }
   double time() const override { return report_.time; }
   const StepReport& report() const override { return report_; }
   const StepReport& step(const std::atomic<bool>* cancel) override {

@@ -40,8 +40,11 @@ TEST_CASE("stats.csv in 2D has the contract's columns, the initial state and a r
   REQUIRE(rows.size() == 4);
   CHECK(rows[0] ==
         "step,time,dt,newton_iterations,linear_iterations,residual,kinetic_energy,elastic_energy,potential_energy,"
-        "total_energy,momentum_x,momentum_y,angular_momentum_z,min_J,max_J,active_nodes,cfl,wall_ms");
-  CHECK(rows[1] == "0,0,0,0,0,0.10000000000000001,5,0.33333333333333331,-0,5.333333333333333,4,8,-3,0.5,2,6,0.25,1.5");
+        "total_energy,momentum_x,momentum_y,angular_momentum_z,min_J,max_J,active_nodes,cfl,wall_ms,stable_step,"
+        "converged");
+  CHECK(rows[1] ==
+        "0,0,0,0,0,0.10000000000000001,5,0.33333333333333331,-0,5.333333333333333,4,8,-3,0.5,2,6,0.25,1.5,0.125,1");
+  CHECK(rows[3].ends_with(",,0"));  // a residual of 0.1
   CHECK(rows[3].starts_with("2,0.20000000000000001,0.10000000000000001,3,7,"));
 }
 
@@ -50,21 +53,28 @@ TEST_CASE("stats.csv in 3D has the third components, and errors where the scene 
   CHECK(rows[0] ==
         "step,time,dt,newton_iterations,linear_iterations,residual,kinetic_energy,elastic_energy,potential_energy,"
         "total_energy,momentum_x,momentum_y,momentum_z,angular_momentum_x,angular_momentum_y,angular_momentum_z,"
-        "min_J,max_J,active_nodes,cfl,wall_ms");
+        "min_J,max_J,active_nodes,cfl,wall_ms,stable_step,converged");
   CHECK(rows[1].find(",4,8,12,-1,-2,-3,0.5,2,6,") != std::string::npos);
   const auto with_errors = written<StatsWriter>(small_scene(2, time_member(0.1, 0.1, 0.1) + exact));
-  CHECK(with_errors[0].ends_with(",cfl,wall_ms,error_l2,error_max,error_velocity_l2,error_F_l2"));
-  CHECK(with_errors[1].ends_with(",1.5,0.01,0.02,0.029999999999999999,0.040000000000000001"));
+  CHECK(with_errors[0].ends_with(",cfl,wall_ms,error_l2,error_max,error_velocity_l2,error_F_l2,stable_step,converged"));
+  CHECK(with_errors[1].ends_with(",1.5,0.01,0.02,0.029999999999999999,0.040000000000000001,0.125,1"));
 }
 
 TEST_CASE("stats.csv says what adaptive steps chose and why, behind all other columns") {
   const std::string adaptive = R"(, "time": {"end": 0.2, "step": 0.1, "control": "adaptive"})";
   const std::string added = ",integrator,limited_by,error_rate,explicit_limit,implicit_cost,explicit_cost,given_up";
-  CHECK(stats_header(2, false, true) == stats_header(2, false) + added);
-  CHECK(stats_header(3, true, true) == stats_header(3, true) + added);
+  const auto header = [](int dimension, bool with_errors) {
+    const std::string fixed = stats_header(dimension, with_errors);
+    return fixed.substr(0, fixed.find(",stable_step"));
+  };
+  CHECK(stats_header(2, false, true) == header(2, false) + added + ",stable_step,converged");
+  CHECK(stats_header(3, true, true) == header(3, true) + added + ",stable_step,converged");
   CHECK(written<StatsWriter>(small_scene(2, adaptive))[0] == stats_header(2, false, true));
   StepReport report;
-  CHECK(stats_row(report, 2, false, true) == stats_row(report, 2, false) + ",,,0,0,0,0,0");
+  const auto row = [&](bool with_control) { return stats_row(report, 2, false, with_control, 0.25, false); };
+  const std::string last = ",0.25,0";
+  const auto without = [&] { return row(false).substr(0, row(false).size() - last.size()); };
+  CHECK(row(true) == without() + ",,,0,0,0,0,0" + last);
   report.dt = 0.1;
   report.control = {.adaptive = true,
                     .implicit = false,
@@ -74,8 +84,7 @@ TEST_CASE("stats.csv says what adaptive steps chose and why, behind all other co
                     .implicit_cost = 8,
                     .explicit_cost = 2,
                     .given_up = 1};
-  CHECK(stats_row(report, 2, false, true) == stats_row(report, 2, false) + ",explicit,stability,0.5,0.25,8,2,1");
-  CHECK(stats_row(report, 2, false) == stats_row(report, 2, false, false));
+  CHECK(row(true) == without() + ",explicit,stability,0.5,0.25,8,2,1" + last);
 }
 
 TEST_CASE("probes.csv has a row each probe and state, and quotes names that need it") {

@@ -31,6 +31,7 @@ class FakeSimulation : public Simulation {
   const Scene& scene() const override { return scene_; }
   std::size_t particle_count() const override { return 3; }
   double mass() const override { return 0; }
+  double stable_step() const override { return 0; }
   double time() const override { return accepted_.time; }
   const StepReport& report() const override { return accepted_; }
   const StepReport& step(const std::atomic<bool>* cancel) override {
