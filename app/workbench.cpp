@@ -12,6 +12,7 @@
 #include "app/inside/step_player.hpp"
 #include "app/lessons/desk.hpp"
 #include "app/panels/docks.hpp"
+#include "app/panels/panels.hpp"
 #include "app/step_strip.hpp"
 #include "app/theme.hpp"
 #include "render/picture.hpp"
@@ -184,8 +185,10 @@ void Workbench::follow_session() {
   context_.snapshot = session_.snapshot();  // after the status: at least as new
   context_.record = session_.record();
   follow_slow_step();
-  const SnapshotRequest wanted = snapshot_request(render_options(context_, 1));
-  if (wanted.fields != requested_.fields || wanted.grid != requested_.grid) {
+  SnapshotRequest wanted = snapshot_request(render_options(context_, 1));
+  wanted.stable_step = wants_stable_step(context_);
+  if (wanted.fields != requested_.fields || wanted.grid != requested_.grid ||
+      wanted.stable_step != requested_.stable_step) {
     requested_ = wanted;
     session_.request(wanted);
   }

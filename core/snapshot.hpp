@@ -19,6 +19,7 @@ struct SnapshotRequest {
   unsigned fields = 1u << static_cast<unsigned>(Field::speed);  ///< bit per Field
   bool grid = false;                                            ///< nodes
   bool velocities = false;                                      ///< particle velocities
+  bool stable_step = false;                                     ///< how long an explicit step could be
 };
 
 /// A rigid solid of the scene as it is drawn. `distance` is the signed distance at t = 0, negative in the solid;
@@ -65,6 +66,9 @@ struct Snapshot {
   std::vector<double> node_velocity;      ///< v_i^{n+1} [m/s]
   std::vector<double> node_displacement;  ///< x^_i - x_i [m]
   std::vector<std::uint8_t> node_state;   ///< bit 0: fixed by a constraint; bit 1: in contact; bit 2: in a solid, apart
+
+  /// If requested, Simulation::stable_step() of this state or of one less than 50 steps ago [s]; else 0.
+  double stable_step = 0;
 
   std::shared_ptr<const SceneView> scene;
   std::vector<Vec3> boundary_displacement;  ///< one a boundary, at report.time

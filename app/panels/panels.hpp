@@ -15,6 +15,10 @@ void draw_view_panel(AppContext& context);
 
 void draw_lesson_panel(AppContext& context);  // app/lessons/panel.cpp
 void draw_phase_panel(AppContext& context);   // app/inside/phase_panel.cpp
+
+/// Whether the time panel is open: it compares the time step with what an explicit one could be.
+bool wants_stable_step(const AppContext& context);
+
 void draw_particle_panel(AppContext& context);
 void draw_node_panel(AppContext& context);
 

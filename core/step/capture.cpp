@@ -98,6 +98,14 @@ void SimulationOf<D>::capture_fields(const SnapshotRequest& request, Snapshot& i
 }
 
 template <int D>
+double SimulationOf<D>::recent_stable_step() const {
+  constexpr long lasts = 50;
+  const long step = accepted_.step;
+  if (stable_.seconds == 0 || step < stable_.step || step >= stable_.step + lasts) stable_ = {step, stable_step()};
+  return stable_.seconds;
+}
+
+template <int D>
 void SimulationOf<D>::capture(const SnapshotRequest& request, Snapshot& into) const {
   const std::size_t n = particles_.size();
   into.dimension = D;
@@ -122,6 +130,7 @@ void SimulationOf<D>::capture(const SnapshotRequest& request, Snapshot& into) co
   capture_fields(request, into);
   into.nodes = 0;
   if (request.grid) capture_grid(into);
+  into.stable_step = request.stable_step ? recent_stable_step() : 0;
   into.scene = view_;
   into.boundary_displacement.clear();
   for (const Vec<D>& d : conditions_.displacement()) into.boundary_displacement.push_back(in_space<D>(d));
@@ -181,6 +190,7 @@ std::vector<ProbeReading> SimulationOf<D>::probes() const {
 
 #define PF_INSTANTIATE(D)                                                          \
   template void SimulationOf<D>::keep_grid(const FeasibleSet<D>&);                 \
+  template double SimulationOf<D>::recent_stable_step() const;                     \
   template void SimulationOf<D>::capture(const SnapshotRequest&, Snapshot&) const; \
   template std::vector<ProbeReading> SimulationOf<D>::probes() const;              \
   template std::vector<ParticleState> SimulationOf<D>::particles() const;          \

@@ -108,6 +108,7 @@ template <int D>
 void SimulationOf<D>::make_settings() {
   laws_.clear();
   elastic_memory_.rest_plan = -1;
+  stable_ = {};
   for (const Material& material : scene_.materials) laws_.push_back(law_of<D>(material));
   // A velocity that is only reported is the way over dt, whatever the transfer.
   const bool inertia = find_integrator(scene_.integrator.type)->inertia;

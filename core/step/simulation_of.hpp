@@ -112,6 +112,7 @@ class SimulationOf final : public Simulation {
   NodeLook look_at_node(const std::array<std::int32_t, 3>& index) const;
   void capture_fields(const SnapshotRequest& request, Snapshot& into) const;
   void capture_grid(Snapshot& into) const;
+  double recent_stable_step() const;
 
   Scene scene_;
   mutable Parallel parallel_;
@@ -140,6 +141,13 @@ class SimulationOf final : public Simulation {
   Particles<D> other_;                   ///< the same where steps are explicit
   Motion<D> moved_{};
   std::vector<std::uint32_t> probe_ids_;
+
+  /// The stable step that was worked out last; 0 s: none.
+  struct StableStep {
+    long step = 0;
+    double seconds = 0;
+  };
+  mutable StableStep stable_;
 
   double time_ = 0, end_ = 0;
   double size_ = 0;  ///< of the largest body [m]
