@@ -188,7 +188,8 @@ template <int D>
 void Plan<D>::place(const Particles<D>& particles, Parallel& parallel) {
   const int K = nodes_per_axis(), edge = block_edge + K - 1;
   const int dense_stride = (D + 1) * (D == 2 ? K * K : K * K * K);
-  const bool kept = ended_ || (D == 2 && batches_.size() * 2 * D * static_cast<std::size_t>(K) * sizeof(Wide<W>) <= most_kept);
+  const bool kept =
+      ended_ || (D == 2 && batches_.size() * 2 * D * static_cast<std::size_t>(K) * sizeof(Wide<W>) <= most_kept);
   stride_ = dense() ? dense_stride : kept ? 2 * D * K : 0;
   place_.resize(batches_.size() * D);
   kept_.resize(batches_.size() * static_cast<std::size_t>(stride_));

@@ -19,7 +19,7 @@ namespace pf {
 /// down), 0 where it stopped at what rounding leaves of it.
 std::string stats_header(int dimension, bool exact, bool adaptive = false);
 /// One row, without its end.
-std::string stats_row(const StepReport& report, int dimension, bool exact, bool adaptive,
+std::string stats_row(const StepReport& report, int dimension, bool exact, bool adaptive = false,
                       std::optional<double> stable_step = {}, bool converged = true);
 /// How often stable_step is worked out: it costs about as much as an implicit step.
 inline constexpr long stable_step_rows = 50;

@@ -194,8 +194,7 @@ TEST_CASE("every choice is accepted, and any other name refused with the choices
 }
 
 TEST_CASE("what is not built yet is refused like an unknown value") {
-  const std::pair<const char*, Json> absent[] = {{"/bodies/0/shape/type", "image"},
-                                                 {"/bodies/0/shape/type", "mesh"}};
+  const std::pair<const char*, Json> absent[] = {{"/bodies/0/shape/type", "image"}, {"/bodies/0/shape/type", "mesh"}};
   for (const auto& [pointer, value] : absent) {
     Json scene = full_scene();
     scene[Json::json_pointer(pointer)] = value;

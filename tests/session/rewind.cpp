@@ -231,7 +231,11 @@ TEST_CASE("a session with edits and branches, saved and run without a window, gi
   std::ifstream stats(folder.path() / "out" / "stats.csv");
   std::string line;
   std::getline(stats, line);
-  const auto without_wall = [](std::string row) { return row.substr(0, row.rfind(',')); };
+  // Wall time, the stable step (asked for by the writer of the file) and whether Newton converged stand last.
+  const auto without_wall = [](std::string row) {
+    for (int cell = 0; cell < 3; ++cell) row.resize(row.rfind(','));
+    return row;
+  };
   for (long step = 0; step <= 30; ++step) {
     CAPTURE(step);
     REQUIRE(std::getline(stats, line));
