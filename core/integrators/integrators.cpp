@@ -18,7 +18,9 @@ constexpr std::array<IntegratorInfo, 7> registry{{
     {"backward_euler", "Backward Euler", "Implicit: stable at any step; damps fast motion. First order.", true, true,
      true, 1},
     {"implicit_midpoint", "Implicit midpoint",
-     "Implicit: keeps energy; keeps waves too short for dt, too. Second order.", true, true, false, 2},
+     "Implicit: keeps the energy of smooth motion, and waves too short for dt too; hard contact may add some. Second "
+     "order.",
+     true, true, false, 2},
     {"trapezoidal", "Trapezoidal rule", "Implicit: as midpoint, forces at both ends of the step. Second order.", true,
      true, false, 2},
     {"tr_bdf2", "TR-BDF2", "Implicit, two solves a step: damps only what dt cannot follow. Second order.", true, true,
