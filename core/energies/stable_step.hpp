@@ -9,7 +9,7 @@ namespace pf {
 /// 2 / w_max [s], w_max^2 the largest eigenvalue of m^-1 K over the nodes that `set` leaves free, K the true Hessian at
 /// rest and m the lumped mass: beyond it symplectic Euler grows (Hughes 1987, section 9.1). By Lanczos' method to about
 /// one per cent: some 20 Hessian products. Infinity where nothing is stiff. What transfers do between two steps is left
-/// out: with FLIP the measured limit is up to a fifth lower, with APIC a few per cent.
+/// out: measured limits are up to an eighth lower with APIC and 20 to 30 % with FLIP (docs/failures.md).
 template <int D>
 double stable_step(ElasticEnergy<D>& elastic, const Vector& mass, const FeasibleSet<D>& set);
 

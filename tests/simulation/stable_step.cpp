@@ -1,6 +1,8 @@
 // How long an explicit step may be: what the grid's highest frequency predicts against what runs do.
 #include <doctest/doctest.h>
 
+#include <sstream>
+
 #include "core/bases/basis.hpp"
 #include "tests/simulation/scenes.hpp"
 
@@ -45,5 +47,20 @@ TEST_CASE("explicit steps are stable up to about nine tenths of the predicted li
     CAPTURE(limit / 0.003125);  // in dx/c
     CHECK(growth(basis, stable * limit) < 1.05);
     CHECK(growth(basis, 1.1 * limit) > 10);
+  }
+}
+
+TEST_CASE("an explicit run that is taken up again tells the same energy, and goes on, to the last bit") {
+  const test::Json scene = swinging_bar("quadratic", 1e-3);
+  const auto first = test::start(scene), second = test::start(scene);
+  test::run(*first, 37);
+  std::stringstream state;
+  first->save_state(state);
+  second->load_state(state);
+  for (int k = 0; k < 3; ++k) {
+    CHECK(second->report().balance.elastic == first->report().balance.elastic);
+    CHECK(second->report().balance.kinetic == first->report().balance.kinetic);
+    test::run(*first, 1);
+    test::run(*second, 1);
   }
 }
