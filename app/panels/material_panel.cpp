@@ -24,6 +24,7 @@ std::vector<Edit> change_law(const Material& material, const std::string& model)
                                      [&](const auto& have) { return have.first == p.key; });
       to[std::string(p.key)] = kept != material.parameters.end() ? kept->second : p.typical;
     }
+  if (material.f_bar) to["f_bar"] = true;
   return {{pointer_to({"materials", material.name}), to}};
 }
 
@@ -77,6 +78,7 @@ void draw_material_panel(AppContext& context) {
   setting_widget(context, pointer_to({"materials", material.name, "density"}));
   for (const auto& [key, value] : material.parameters)
     setting_widget(context, pointer_to({"materials", material.name, key}));
+  setting_widget(context, pointer_to({"materials", material.name, "f_bar"}));
   draw_consequences(context.scene, material);
   ImGui::PopID();
 }

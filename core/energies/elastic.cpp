@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/energies/elastic_kernels.hpp"
+#include "core/energies/elastic_patches.hpp"
 #include "core/grid/records.hpp"
 
 namespace pf {
@@ -43,6 +44,14 @@ void ElasticEnergy<D>::for_each_deformed(const Block<D>& block, const Vector& u,
 template <int D>
 std::vector<Mat<D>> ElasticEnergy<D>::deformed(const Vector& u) const {
   std::vector<Mat<D>> F(particles_.size());
+  if (barred()) {
+    BarredBlock<D> state;
+    for (const Block<D>& block : plan_.blocks()) {
+      deform_block(block, &u, state);
+      std::copy(state.F.begin(), state.F.end(), F.begin() + block.particle_begin);
+    }
+    return F;
+  }
   for (const Block<D>& block : plan_.blocks())
     for_each_deformed(
         block, u, [&](const Chunk& chunk) { std::copy_n(chunk.F, chunk.end - chunk.begin, F.begin() + chunk.begin); });
@@ -65,6 +74,7 @@ double ElasticEnergy<D>::ordered_sum() const {
 
 template <int D>
 double ElasticEnergy<D>::value(const Vector& u) {
+  if (barred()) return barred_value(u);
   memory_.block_sum.resize(plan_.blocks().size());
   for_each_block(plan_, parallel_, [&](const Block<D>& block, int b) {
     double sum = 0;
@@ -104,6 +114,7 @@ void ElasticEnergy<D>::batch_flux(const Batch& batch, const Mat<D>* stress, Wide
 
 template <int D>
 double ElasticEnergy<D>::sum_force_at_rest(Vector& g) {
+  if (barred()) return barred_gradient(nullptr, g, nullptr);
   memory_.block_sum.resize(plan_.blocks().size());
   with_nodes_per_axis(plan_, [&](auto k) {
     constexpr int K = k;
@@ -147,67 +158,12 @@ void ElasticEnergy<D>::add_force_at_rest(Vector& g) {
   work_.gradient += particles_.size();
 }
 
-namespace {
-
-/// Adds s_i = |flux grad N_i| of a batch (THEORY T4) to the cell's nodes. Sizes are not linear, so there is no
-/// factorisation over the axes; roots are taken in single precision, of numbers made near one: a yardstick need not be
-/// exact.
-template <int D, int K, bool Dense>
-inline void scatter_sizes(const Wide<lane_count<D>> (*flux)[D], const Wide<lane_count<D>>* w, double* out) {
-  constexpr int lanes = lane_count<D>, edge = Stencil<D, K, 1>::edge, z = D - 1;
-  using Lane = Wide<lanes>;
-  Lane square{}, whole, T[D][D];
-  for (int a = 0; a < D; ++a)
-    for (int c = 0; c < D; ++c) square += flux[a][c] * flux[a][c];
-  for (int lane = 0; lane < lanes; ++lane) whole[lane] = __builtin_sqrt(square[lane]);
-  const Lane inverse = whole > 0 ? 1 / whole : Lane{};
-  for (int a = 0; a < D; ++a)
-    for (int c = 0; c < D; ++c) T[a][c] = flux[a][c] * inverse;
-  const auto add = [&](int offset, const Lane& sum) {
-    Narrow<lanes> root = __builtin_convertvector(sum, Narrow<lanes>);
-    for (int lane = 0; lane < lanes; ++lane) root[lane] = __builtin_sqrtf(root[lane]);
-    out[offset] += sum_lanes(Lane(whole * widen<lanes>(root)));
-  };
-  if constexpr (Dense) {
-    for (int n = 0; n < (D == 2 ? K * K : K * K * K); ++n) {
-      Lane grad[D], sum{};
-      node_gradient<D, K, true>(w, n, grad);
-      for (int a = 0; a < D; ++a) {
-        Lane f = T[a][0] * grad[0];
-        for (int c = 1; c < D; ++c) f += T[a][c] * grad[c];
-        sum += f * f;
-      }
-      add(node_offset<D, K>(n), sum);
-    }
-    return;
-  }
-  const Lane *const N = w, *const dN = w + D * K;
-  for (int k = 0; k < (D == 3 ? K : 1); ++k)
-    for (int j = 0; j < K; ++j) {
-      Lane along[D], across[D];  // what dN_i and N_i of the first axis are multiplied with
-      for (int a = 0; a < D; ++a) {
-        along[a] = T[a][0] * N[K + j];
-        across[a] = T[a][1] * dN[K + j];
-        if constexpr (D == 3) {
-          along[a] *= N[z * K + k];
-          across[a] = across[a] * N[z * K + k] + T[a][z] * (N[K + j] * dN[z * K + k]);
-        }
-      }
-      for (int i = 0; i < K; ++i) {
-        Lane sum{};
-        for (int a = 0; a < D; ++a) {
-          const Lane f = along[a] * dN[i] + across[a] * N[i];
-          sum += f * f;
-        }
-        add(i + edge * (j + edge * k), sum);
-      }
-    }
-}
-
-}  // namespace
-
 template <int D>
 double ElasticEnergy<D>::gradient(const Vector& u, Vector& g, Vector& magnitude) {
+  if (barred()) {
+    work_.gradient += particles_.size();
+    return barred_gradient(&u, g, &magnitude);
+  }
   memory_.block_sum.resize(plan_.blocks().size());
   with_nodes_per_axis(plan_, [&](auto k) {
     constexpr int K = k;
@@ -258,19 +214,21 @@ void ElasticEnergy<D>::chunk_tangents(const Block<D>& block, const Chunk& chunk,
 template <int D>
 void ElasticEnergy<D>::prepare_hessian(const Vector& u, bool project) {
   tangent_ = memory_.tangents.take<Narrow<W>>(plan_.batches().size() * components);
+  work_.tangent += particles_.size();
+  if (barred()) return barred_tangents(u, project);
   for_each_block(plan_, parallel_, [&](const Block<D>& block, int) {
     for_each_deformed(block, u, [&](const Chunk& chunk) { chunk_tangents(block, chunk, project); });
   });
-  work_.tangent += particles_.size();
 }
 
 template <int D>
 void ElasticEnergy<D>::hessian_product(const Vector& p, Vector& Hp) {
   constexpr int n2 = D * D;
+  const bool coupled = barred();
   with_nodes_per_axis(plan_, [&](auto k) {
     constexpr int K = k;
     using S = Stencil<D, K, D, decltype(k)::dense>;
-    for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int) {
+    for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int b) {
       double local[S::nodes * D], result[S::nodes * D] = {};
       load_block<D, K, D>(plan_, block, p.data(), local);
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
@@ -296,6 +254,7 @@ void ElasticEnergy<D>::hessian_product(const Vector& p, Vector& Hp) {
           }
         S::template scatter<false, true>(nullptr, flux, w, w + S::values, result + batch.node * D);
       }
+      if (coupled) couple<K>(b, local, result);
       add_block<D, K, D>(plan_, block, result, Hp.data());
     });
   });

@@ -2,6 +2,7 @@
 // T4).
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <span>
 
@@ -19,6 +20,9 @@ using Laws = std::vector<std::unique_ptr<Law<D>>>;  ///< one a material
 
 template <int D>
 struct ElasticChunk;
+template <int D>
+struct BarredBlock;
+struct VolumePatch;
 
 /// What an ElasticEnergy computes with; kept between steps for its memory alone.
 struct ElasticMemory {
@@ -28,6 +32,10 @@ struct ElasticMemory {
   Vector rest_force;
   double rest_energy = 0;
   std::int64_t rest_plan = -1;  ///< Plan::made() that they belong to
+  // How particles of a cell are coupled where they share volume changes (core/energies/elastic_patches.hpp).
+  std::vector<std::int32_t> patch_start;  ///< of each block, and how many there are
+  std::vector<std::int16_t> patch_node;   ///< the cell's first node in the block's own lattice
+  std::vector<double> patch_coupling;
 };
 
 template <int D>
@@ -57,7 +65,7 @@ class ElasticEnergy final : public Energy<D> {
   /// Keeps that force for the next add_force_at_rest: what an explicit step's report needs, the energy, and what the
   /// next one begins with come of the same stresses. Returns E at u = 0.
   double find_rest();
-  /// F_p(x^), a particle each.
+  /// F_p(x^), a particle each; F-bar where volume changes are shared.
   std::vector<Mat<D>> deformed(const Vector& u) const;
 
  private:
@@ -82,6 +90,31 @@ class ElasticEnergy final : public Energy<D> {
   void chunk_tangents(const Block<D>& block, const Chunk& chunk, bool project);
   double ordered_sum() const;
   double sum_force_at_rest(Vector& g);
+
+  // The same where materials share volume changes (elastic_barred.cpp, elastic_patches.cpp); `u` null: at rest.
+  bool barred() const {
+    return std::any_of(laws_.begin(), laws_.end(), [](const auto& law) { return law->shares_volume(); });
+  }
+  double barred_value(const Vector& u);
+  double barred_gradient(const Vector* u, Vector& g, Vector* magnitude);
+  void barred_tangents(const Vector& u, bool project);
+  void deform_block(const Block<D>& block, const Vector* u, BarredBlock<D>& state) const;
+  void block_stress(const Block<D>& block, BarredBlock<D>& state) const;
+  void block_flux(const Block<D>& block, BarredBlock<D>& state) const;
+  void block_tangents(const Block<D>& block, int b, bool project, BarredBlock<D>& state);
+  void single_tangents(const Block<D>& block, bool project, const BarredBlock<D>& state,
+                       const std::vector<float*>& place) const;
+  double patch_tangents(const Block<D>& block, const VolumePatch& patch, bool project, const BarredBlock<D>& state,
+                        const std::vector<float*>& place, std::vector<Mat<D>>& of_L,
+                        std::vector<Mat<D>>& of_volume) const;
+  template <int K>
+  void couple(int b, const double* p, double* Hp) const;
+  template <int K>
+  void couple_diagonal(int b, double* upper) const;
+  template <int K>
+  void couple_blocks(const Block<D>& block, int b, BlockMatrix<D>& H) const;
+  template <int K>
+  void couple_stencil(const Block<D>& block, int b, const std::vector<std::int32_t>& row_of, StencilMatrix<D>& H) const;
 
   const Plan<D>& plan_;
   const Particles<D>& particles_;

@@ -3,6 +3,7 @@
 
 #include "core/energies/elastic.hpp"
 #include "core/energies/elastic_kernels.hpp"
+#include "core/energies/elastic_patches.hpp"
 
 namespace pf {
 
@@ -91,7 +92,7 @@ void ElasticEnergy<D>::diagonal(std::vector<Mat<D>>& blocks) {
   with_nodes_per_axis(plan_, [&](auto k) {
     constexpr int K = k;
     using S = Stencil<D, K, 1, decltype(k)::dense>;
-    for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int) {
+    for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int b) {
       double local[S::nodes * symmetric] = {};
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
         Wide<W> room[2 * D * K];
@@ -102,6 +103,7 @@ void ElasticEnergy<D>::diagonal(std::vector<Mat<D>>& blocks) {
         else
           scatter_diagonal<D, K>(tangent_ + index(i) * components, w, out);
       }
+      if (barred()) couple_diagonal<K>(b, local);
       const std::int32_t* table = plan_.node_table(block);
       for (int n = 0; n < S::nodes; ++n) {
         if (table[n] < 0) continue;
@@ -122,7 +124,8 @@ template <int D>
 void ElasticEnergy<D>::assemble(BlockMatrix<D>& H) {
   with_nodes_per_axis(plan_, [&](auto k) {
     constexpr int K = k, count = D == 2 ? K * K : K * K * K;
-    for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int) {
+    for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int b) {
+      if (barred()) couple_blocks<K>(block, b, H);
       const std::int32_t* table = plan_.node_table(block);
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
         const Batch& batch = plan_.batches()[index(i)];
@@ -142,7 +145,7 @@ void ElasticEnergy<D>::assemble(BlockMatrix<D>& H) {
             for (int a = 0; a < D; ++a)
               for (int c = 0; c < D; ++c) {
                 Wide<W> sum{};
-                for (int b = 0; b < D; ++b) sum += T[a][c][b] * grad[m][b];
+                for (int d = 0; d < D; ++d) sum += T[a][c][d] * grad[m][d];
                 h(a, c) += sum_lanes(sum);
               }
           }

@@ -43,4 +43,59 @@ void for_each_material(const Plan<D>& plan, const Block<D>& block, int begin, in
   }
 }
 
+/// Adds s_i = |flux grad N_i| of a batch (THEORY T4) to the cell's nodes. Sizes are not linear, so there is no
+/// factorisation over the axes; roots are taken in single precision, of numbers made near one: a yardstick need not be
+/// exact.
+template <int D, int K, bool Dense>
+inline void scatter_sizes(const Wide<lane_count<D>> (*flux)[D], const Wide<lane_count<D>>* w, double* out) {
+  constexpr int lanes = lane_count<D>, edge = Stencil<D, K, 1>::edge, z = D - 1;
+  using Lane = Wide<lanes>;
+  Lane square{}, whole, T[D][D];
+  for (int a = 0; a < D; ++a)
+    for (int c = 0; c < D; ++c) square += flux[a][c] * flux[a][c];
+  for (int lane = 0; lane < lanes; ++lane) whole[lane] = __builtin_sqrt(square[lane]);
+  const Lane inverse = whole > 0 ? 1 / whole : Lane{};
+  for (int a = 0; a < D; ++a)
+    for (int c = 0; c < D; ++c) T[a][c] = flux[a][c] * inverse;
+  const auto add = [&](int offset, const Lane& sum) {
+    Narrow<lanes> root = __builtin_convertvector(sum, Narrow<lanes>);
+    for (int lane = 0; lane < lanes; ++lane) root[lane] = __builtin_sqrtf(root[lane]);
+    out[offset] += sum_lanes(Lane(whole * widen<lanes>(root)));
+  };
+  if constexpr (Dense) {
+    for (int n = 0; n < (D == 2 ? K * K : K * K * K); ++n) {
+      Lane grad[D], sum{};
+      node_gradient<D, K, true>(w, n, grad);
+      for (int a = 0; a < D; ++a) {
+        Lane f = T[a][0] * grad[0];
+        for (int c = 1; c < D; ++c) f += T[a][c] * grad[c];
+        sum += f * f;
+      }
+      add(node_offset<D, K>(n), sum);
+    }
+    return;
+  }
+  const Lane *const N = w, *const dN = w + D * K;
+  for (int k = 0; k < (D == 3 ? K : 1); ++k)
+    for (int j = 0; j < K; ++j) {
+      Lane along[D], across[D];  // what dN_i and N_i of the first axis are multiplied with
+      for (int a = 0; a < D; ++a) {
+        along[a] = T[a][0] * N[K + j];
+        across[a] = T[a][1] * dN[K + j];
+        if constexpr (D == 3) {
+          along[a] *= N[z * K + k];
+          across[a] = across[a] * N[z * K + k] + T[a][z] * (N[K + j] * dN[z * K + k]);
+        }
+      }
+      for (int i = 0; i < K; ++i) {
+        Lane sum{};
+        for (int a = 0; a < D; ++a) {
+          const Lane f = along[a] * dN[i] + across[a] * N[i];
+          sum += f * f;
+        }
+        add(i + edge * (j + edge * k), sum);
+      }
+    }
+}
+
 }  // namespace pf

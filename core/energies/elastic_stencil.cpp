@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "core/energies/elastic.hpp"
+#include "core/energies/elastic_patches.hpp"
 #include "core/grid/stencil.hpp"
 
 namespace pf {
@@ -182,7 +183,8 @@ bool ElasticEnergy<D>::assemble_stencil(StencilMatrix<D>& H, const std::vector<s
         offset[n] += rest % K * (axis == 0 ? 1 : axis == 1 ? edge : edge * edge);
       }
     }
-    for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int) {
+    for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int b) {
+      if (barred()) couple_stencil<K>(block, b, row_of, H);
       Blocks blocks(axes);
       const std::int32_t* table = plan_.node_table(block);
       for (int i = block.batch_begin; i < block.batch_end; ++i) {

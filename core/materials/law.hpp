@@ -74,6 +74,14 @@ class Law {
   }
   /// Speed of pressure waves in the undeformed material, sqrt((lambda + 2 mu)/rho) [m/s].
   virtual double wave_speed(double density) const = 0;
+
+  /// Whether particles of a cell share their change of volume in a step (F-bar, core/energies/volume_patches.hpp): the
+  /// material's choice. The functions above know nothing of it.
+  bool shares_volume() const { return shares_volume_; }
+  void share_volume(bool on) { shares_volume_ = on; }
+
+ private:
+  bool shares_volume_ = false;
 };
 
 /// Every law, in the order in which it is offered.

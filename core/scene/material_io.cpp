@@ -37,7 +37,7 @@ Setting setting_of(const LawParameter& parameter) {
 
 /// The parameters of `law`, in its order; unknown and missing ones are problems.
 void read_parameters(Reader& reader, const Json& json, const LawInfo& law, Material& material) {
-  std::vector<std::string> known = {"model", "density"};
+  std::vector<std::string> known = {"model", "density", "f_bar"};
   for (const LawParameter& parameter : law.parameters) known.emplace_back(parameter.key);
   for (const auto& [key, value] : json.items()) {
     if (std::find(known.begin(), known.end(), key) == known.end()) refuse_unknown(reader, key, known);
@@ -67,6 +67,10 @@ void read_material(Reader& reader, const Json& json, Material& material) {
       reader.refuse("nothing", allowed_text(key.setting, 1) + "; this key is required");
     }
   }
+  if (json.contains("f_bar")) {
+    const Reader::Step step(reader, "f_bar");
+    material_table().find("f_bar")->read(reader, json["f_bar"], &material);
+  }
   if (const LawInfo* law = find_law(material.model)) return read_parameters(reader, json, *law, material);
   for (const auto& [key, value] : json.items()) {
     if (!material_table().find(key)) refuse_unknown(reader, key, material_table().names());
@@ -92,6 +96,11 @@ const Table& material_table() {
         .required()
         .reset()
         .help("Of the reference body.");
+    t.flag(&Material::f_bar, "f_bar", "F-bar")
+        .live()
+        .help(
+            "Against locking: particles of a cell share their change of volume. For materials that hardly change their "
+            "volume, Poisson's ratio above 0.45 or so; else it only costs time.");
     Table made = t.take();
     for (const LawInfo& law : laws()) {
       for (const LawParameter& parameter : law.parameters) {
@@ -123,11 +132,12 @@ void read_materials(Reader& reader, const Json& json, std::vector<Material>& mat
   }
 }
 
-Json write_materials(const std::vector<Material>& materials) {
+Json write_materials(const std::vector<Material>& materials, bool defaults) {
   Json object = Json::object();
   for (const Material& material : materials) {
     Json entry = {{"model", material.model}, {"density", material.density}};
     for (const auto& [key, value] : material.parameters) entry[key] = value;
+    if (defaults || material.f_bar) entry["f_bar"] = material.f_bar;
     object[material.name] = std::move(entry);
   }
   return object;
@@ -136,8 +146,11 @@ Json write_materials(const std::vector<Material>& materials) {
 Json material_schema() {
   Json kinds = Json::array();
   for (const LawInfo& law : laws()) {
-    Json properties = {{"model", {{"const", law.name}}},
-                       {"density", {{"type", Json::array({"number", "string"})}, {"exclusiveMinimum", 0}}}};
+    Json properties = {
+        {"model", {{"const", law.name}}},
+        {"density", {{"type", Json::array({"number", "string"})}, {"exclusiveMinimum", 0}}},
+        {"f_bar",
+         {{"type", "boolean"}, {"default", false}, {"description", material_table().find("f_bar")->setting.help}}}};
     Json required = Json::array({"model", "density"});
     for (const LawParameter& parameter : law.parameters) {
       const Setting setting = setting_of(parameter);

@@ -95,6 +95,7 @@ struct Material {
   std::string model;
   double density = 0;                                      ///< R0 [kg/m^3]
   std::vector<std::pair<std::string, double>> parameters;  ///< in the order of LawInfo::parameters
+  bool f_bar = false;                                      ///< particles of a cell share their change of volume
   bool operator==(const Material&) const = default;
 };
 

@@ -30,7 +30,7 @@ Json shape_schema();
 void check_shape(Reader& reader, const Shape& shape, ShapeUse use);
 
 void read_materials(Reader& reader, const Json& json, std::vector<Material>& materials);
-Json write_materials(const std::vector<Material>& materials);
+Json write_materials(const std::vector<Material>& materials, bool defaults);
 Json material_schema();
 
 /// What single keys cannot say: names that refer to something, combinations that cannot work. `document` is what

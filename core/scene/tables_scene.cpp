@@ -80,7 +80,9 @@ void add_materials(TableOf<Scene>& t) {
   row.setting.required = true;
   row.setting.help = "By name; bodies refer to them.";
   row.read = [](Reader& r, const Json& j, void* o) { read_materials(r, j, static_cast<Scene*>(o)->materials); };
-  row.write = [](const void* o, const WriteStyle&) { return write_materials(static_cast<const Scene*>(o)->materials); };
+  row.write = [](const void* o, const WriteStyle& style) {
+    return write_materials(static_cast<const Scene*>(o)->materials, style.defaults);
+  };
 }
 
 /// {"position": [...]}: the only key of "exact".

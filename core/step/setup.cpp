@@ -17,7 +17,9 @@ template <int D>
 std::unique_ptr<Law<D>> law_of(const Material& material) {
   std::vector<double> values;
   for (const auto& [key, value] : material.parameters) values.push_back(value);
-  return make_law<D>(material.model, values);
+  std::unique_ptr<Law<D>> law = make_law<D>(material.model, values);
+  law->share_volume(material.f_bar);
+  return law;
 }
 
 /// Of the mouse's spring, as a part of the held material's own stiffness: softer, so that a jerk moves bodies and does

@@ -3,7 +3,9 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <tuple>
 
+#include "core/energies/volume_patches.hpp"
 #include "core/step/balance.hpp"
 #include "core/step/energy_ledger.hpp"
 #include "core/step/simulation_of.hpp"
@@ -352,6 +354,8 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::judge(const NewtonResult& new
   if (!(check.min_J > 0)) return {Attempt::failed, who() + " was turned inside out (J = " + number(check.min_J) + ")."};
   report.min_J = check.min_J;
   report.max_J = check.max_J;
+  if (any_shares_volume(laws_))
+    std::tie(report.min_J, report.max_J) = share_volumes(plan_, particles_, laws_, parallel_, moved_);
   report.cfl = check.max_speed * choice.dt / scene_.grid.spacing;
   if (report.cfl > runaway_cells)
     return {Attempt::failed,

@@ -43,6 +43,14 @@ test::Json collision() {
   return scene;
 }
 
+/// Nearly incompressible, particles of a cell share their change of volume, beside a material that does not.
+test::Json shared_volumes() {
+  test::Json scene = collision();
+  scene["materials"]["rubber"]["poisson"] = 0.49;
+  scene["materials"]["rubber"]["f_bar"] = true;
+  return scene;
+}
+
 /// The same with adaptive steps from this dt, at this tolerance.
 test::Json adaptive(test::Json scene, double step, double tolerance) {
   scene["time"]["control"] = "adaptive";
@@ -102,6 +110,18 @@ TEST_CASE("threads never change a bit of adaptive steps: implicit, explicit, fro
 
 TEST_CASE("threads never change a bit: colliding balls in 3D") {
   check_threads(collision());
+}
+
+TEST_CASE("threads never change a bit, and a saved state goes on byte-equal: volume changes that a cell shares") {
+  check_threads(shared_volumes(), 8);
+  check_restart(shared_volumes());
+  test::Json direct = rough_ride();
+  direct["materials"]["rubber"]["f_bar"] = true;
+  direct["solver"] = {{"linear", "direct"}};
+  check_threads(direct, 6);
+  direct["integrator"] = {{"type", "symplectic_euler"}};
+  direct["time"]["step"] = 5e-4;
+  check_threads(direct, 20);
 }
 
 TEST_CASE("a saved state goes on byte-equal: friction, moving walls, loads; APIC in 3D; the automatic solver") {

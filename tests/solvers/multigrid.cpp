@@ -62,13 +62,14 @@ Eigen::MatrixXd prolongation(const StencilLayout<D>& fine, const StencilLayout<D
 /// An elastic body in a strained state, and the potential of one step.
 template <int D>
 struct Step {
-  Step(Particles<D> particles, std::string_view basis, int threads = 1)
+  Step(Particles<D> particles, std::string_view basis, int threads = 1, bool share_volume = false)
       : grid(std::move(particles), basis, dx, threads),
         mass(grid.plan, grid.particles, grid.state.mass, false, grid.parallel, grid.work),
         inertia(mass, Vector::Zero(grid.unknowns()), 0.01),
         elastic(grid.plan, grid.particles, grid.laws, grid.parallel, grid.work),
         potential(grid.plan, grid.state.mass, set, {&inertia, &elastic}, {}) {
     grid.use_law(*find_law("neo_hookean"));
+    grid.laws.back()->share_volume(share_volume);
     const Vector u = test::Random(5).values(grid.unknowns(), 0.02 * dx);
     potential.gradient(u, g);
     potential.prepare_hessian(u, true);
@@ -96,29 +97,30 @@ void for_bases(F&& f) {
 
 }  // namespace
 
-TEST_CASE("the stencil matrix is the Hessian, for scattered particles, every basis, 2D and 3D") {
-  for_bases([](auto d, std::string_view basis) {
-    constexpr int D = d;
-    Step<D> step(test::scattered<D>(60, dx, D == 2 ? 0.6 : 0.3, 3), basis);
-    StencilLayout<D> layout;
-    std::vector<std::int32_t> row_of;
-    const Lattice<D> lattice = step.potential.lattice();
-    layout.build(lattice.index, lattice.reach, row_of);
-    StencilMatrix<D> A;
-    A.shape(layout);
-    step.potential.assemble_stencil(A, row_of);
-    const Eigen::MatrixXd found = dense(A);
-    BlockMatrix<D> H;
-    step.potential.assemble(H);
-    const Eigen::MatrixXd expected = test::dense(H);
-    const double size = expected.cwiseAbs().maxCoeff();
-    for (int i = 0; i < expected.rows(); ++i)
-      for (int j = 0; j < expected.cols(); ++j) {
-        const double there = found(row_of[static_cast<std::size_t>(i / D)] * D + i % D,
-                                   row_of[static_cast<std::size_t>(j / D)] * D + j % D);
-        if (std::abs(there - expected(i, j)) > 2e-6 * size) FAIL_CHECK("differs: " << there << " " << expected(i, j));
-      }
-  });
+TEST_CASE("the stencil matrix is the Hessian, for scattered particles, every basis, 2D and 3D, with F-bar too") {
+  for (const bool shared : {false, true})
+    for_bases([shared](auto d, std::string_view basis) {
+      constexpr int D = d;
+      Step<D> step(test::scattered<D>(60, dx, D == 2 ? 0.6 : 0.3, 3), basis, 1, shared);
+      StencilLayout<D> layout;
+      std::vector<std::int32_t> row_of;
+      const Lattice<D> lattice = step.potential.lattice();
+      layout.build(lattice.index, lattice.reach, row_of);
+      StencilMatrix<D> A;
+      A.shape(layout);
+      step.potential.assemble_stencil(A, row_of);
+      const Eigen::MatrixXd found = dense(A);
+      BlockMatrix<D> H;
+      step.potential.assemble(H);
+      const Eigen::MatrixXd expected = test::dense(H);
+      const double size = expected.cwiseAbs().maxCoeff();
+      for (int i = 0; i < expected.rows(); ++i)
+        for (int j = 0; j < expected.cols(); ++j) {
+          const double there = found(row_of[static_cast<std::size_t>(i / D)] * D + i % D,
+                                     row_of[static_cast<std::size_t>(j / D)] * D + j % D);
+          if (std::abs(there - expected(i, j)) > 2e-6 * size) FAIL_CHECK("differs: " << there << " " << expected(i, j));
+        }
+    });
 }
 
 TEST_CASE("a coarse level is P^T A P, for scattered particles, every basis, 2D and 3D") {
