@@ -148,15 +148,24 @@ void Conditions<D>::advance(double t, double dt) {
 }
 
 template <int D>
-bool Conditions<D>::holds(const Vec<D>& x) const {
-  for (const Fixing& f : fixings_)
-    if (f.region->contains(in_space<D>(x), tolerance_)) return true;
+Mat<D> Conditions<D>::free_at(const Vec<D>& x) const {
+  Mat<D> free = Mat<D>::Identity();
+  for (const Fixing& f : fixings_) {
+    if (!f.region->contains(in_space<D>(x), tolerance_)) continue;
+    for (int a = 0; a < D; ++a)
+      if (f.fix[static_cast<std::size_t>(a)]) free(a, a) = 0;
+  }
   std::vector<Vec3> normals;
   for (std::size_t k = 0; k < walls_.size(); ++k) {
+    normals.clear();
     walls_[k].solid->contact_normals(in_space<D>(Vec<D>(x - displacement_[k])), walls_[k].invert, tolerance_, normals);
-    if (!normals.empty()) return true;
+    if (!normals.empty() && (walls_[k].contact == Wall::stick || walls_[k].friction > 0)) free.setZero();
+    for (const Vec3& full : normals) {
+      const Vec<D> axis = free * full.head<D>();
+      if (axis.norm() > 1e-6) free -= axis.normalized() * axis.normalized().transpose();
+    }
   }
-  return false;
+  return free;
 }
 
 template class Conditions<2>;

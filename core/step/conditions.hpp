@@ -30,8 +30,9 @@ class Conditions {
   /// Displacement of each boundary since t = 0 [m].
   std::vector<Vec<D>>& displacement() { return displacement_; }
   const std::vector<Vec<D>>& displacement() const { return displacement_; }
-  /// True where a constraint or a solid holds the point at time t = 0 positions plus displacement.
-  bool holds(const Vec<D>& x) const;
+  /// Projector on the directions in which nothing holds the point where walls stand now: what a constraint fixes, a
+  /// face's normal, all of a face that sticks or rubs.
+  Mat<D> free_at(const Vec<D>& x) const;
 
  private:
   struct Wall {

@@ -17,7 +17,9 @@ KnownMotion<D>::KnownMotion(const Scene& scene, const Conditions<D>& conditions)
     for (std::size_t k = 0; k < scene.materials.size(); ++k)
       if (scene.materials[k].name == body.material)
         surface_.add(scene, body, static_cast<std::uint16_t>(k), [&](const SurfacePoint& point) {
-          return !conditions.holds(Vec<D>(point.position.template head<D>()));
+          const Mat<D> free = conditions.free_at(Vec<D>(point.position.template head<D>()));
+          if (!free.isZero(0)) free_.push_back(free);
+          return !free.isZero(0);
         });
   for (std::size_t s = 0; s < surface_.size(); ++s) surface_.x[s] = motion_->position(surface_.X[s], 0);
 }
@@ -50,8 +52,10 @@ void KnownMotion<D>::add_force(const Plan<D>& plan, const Particles<D>& particle
   });
   scatter_field<D>(plan, force, parallel, f);
   std::vector<Vec<D>> traction(surface_.size());
-  for (std::size_t s = 0; s < surface_.size(); ++s)
+  for (std::size_t s = 0; s < surface_.size(); ++s) {
     loads_of(surface_.tag[s]).traction({&surface_.X[s], 1}, {&surface_.normal[s], 1}, t, {&traction[s], 1});
+    traction[s] = free_[s] * traction[s];
+  }
   surface_.spread(plan, traction, f);
 }
 

@@ -16,7 +16,7 @@ namespace pf {
 template <int D>
 class KnownMotion {
  public:
-  /// `conditions`: surfaces that they hold get no manufactured traction.
+  /// `conditions`: where they hold a surface, it gets no manufactured traction in the directions that are held.
   KnownMotion(const Scene& scene, const Conditions<D>& conditions);
 
   bool known() const { return motion_.has_value(); }
@@ -37,6 +37,7 @@ class KnownMotion {
   std::optional<ExactMotion<D>> motion_;
   bool manufactured_ = false;
   SurfacePoints<D> surface_;  ///< tag: the body's material
+  std::vector<Mat<D>> free_;  ///< directions of each point that nothing holds
 };
 
 extern template class KnownMotion<2>;

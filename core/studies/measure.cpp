@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "core/bases/basis.hpp"
 #include "core/params/problem.hpp"
@@ -232,13 +233,17 @@ class Examiner final : public RunObserver {
     probe_.fill(row);
     errors_.fill(row);
     noise_->fill(row);
+    // Where next to nothing of the energy is in the material there is no stress that could be noisy.
+    if (!(elastic_ > nothing * ledger_->at_play())) row.stress_noise = not_measured;
   }
   bool blown_up = false;
 
  private:
+  static constexpr double nothing = 1e-6;  ///< of the energy at play
   void compare(const Simulation& simulation, int k) {
     const std::vector<ParticleState> particles = simulation.particles();
     noise_->add(particles);
+    elastic_ = std::max(elastic_, simulation.report().balance.elastic);
     if (reference_ == nullptr) return;
     const ExpectedState should = reference_->at(k, simulation.time(), particles);
     errors_.add(particles, should.particles);
@@ -254,6 +259,7 @@ class Examiner final : public RunObserver {
   std::optional<Noise> noise_;
   ProbeTrack probe_;
   Errors errors_;
+  double elastic_ = 0;  ///< the most at the times of comparison [J]
 };
 
 /// What the run's end says beside its numbers.
@@ -263,8 +269,10 @@ void judge_end(const RunResult& result, const Watchdog& watchdog, const Examiner
   if (examiner.blown_up) {
     row.status = RowStatus::unstable;
     row.behaviour = RunClass::blown_up;
-    row.reason = "stopped: its energy had grown beyond " + std::to_string(settings.thresholds.blown_up) +
-                 " times the energy at play";
+    char text[100];
+    std::snprintf(text, sizeof text, "stopped: its energy had grown beyond %g times the energy at play",
+                  settings.thresholds.blown_up);
+    row.reason = text;
   } else if (watchdog.timed_out()) {
     row.status = RowStatus::timeout;
     row.behaviour = RunClass::failed;
