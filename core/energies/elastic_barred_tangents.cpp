@@ -208,6 +208,7 @@ void ElasticEnergy<D>::barred_tangents(const Vector& u, bool project) {
   });
 }
 
+// NOLINTBEGIN(bugprone-macro-parentheses): D is a template argument.
 #define PF_INSTANTIATE(D)                                                                                            \
   template void ElasticEnergy<D>::barred_tangents(const Vector&, bool);                                              \
   template void ElasticEnergy<D>::block_tangents(const Block<D>&, int, bool, BarredBlock<D>&);                       \
@@ -219,5 +220,6 @@ void ElasticEnergy<D>::barred_tangents(const Vector& u, bool project) {
 PF_INSTANTIATE(2)
 PF_INSTANTIATE(3)
 #undef PF_INSTANTIATE
+// NOLINTEND(bugprone-macro-parentheses)
 
 }  // namespace pf
