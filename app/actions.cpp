@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "app/compare/desk.hpp"
 #include "app/inside/step_player.hpp"
 #include "app/panels/memory.hpp"
 #include "app/workbench.hpp"
@@ -65,6 +66,17 @@ void Workbench::set_actions() {
 
 bool Workbench::possible(Action action) const {
   const RunState state = context_.status.state;
+  if (comparing(context_)) switch (action) {
+      case Action::slow_step:
+      case Action::step_back:
+      case Action::bad_step:
+      case Action::branch:
+        return false;
+      case Action::step:
+        return context_.compare->status.state != CompareState::finished;
+      default:
+        break;
+    }
   switch (action) {
     case Action::undo:
       return undo_.can_undo();
@@ -98,6 +110,10 @@ bool Workbench::offers_field(int index) const {
 
 void Workbench::act(Action action, int index) {
   ViewState& view = context_.view;
+  if (act_on_comparison(action)) {
+    settle_ = 3;
+    return;
+  }
   switch (action) {
     case Action::open:
       return ask_open();
@@ -177,6 +193,7 @@ void Workbench::act(Action action, int index) {
     case Action::field:
       if (!offers_field(index)) return;
       view.field = fields()[static_cast<std::size_t>(index)].field;
+      if (context_.compare) context_.compare->difference = false;
       view.lock_range = false;
       break;
     case Action::hide_panels:
@@ -232,6 +249,7 @@ void Workbench::send_scene(Scene scene) {
   context_.scene = std::move(scene);
   context_.unsaved = true;
   session_.edit(context_.scene);
+  if (comparing(context_)) context_.compare->comparison.edit(context_.scene);
   settle_ = 3;
 }
 
@@ -249,6 +267,7 @@ void Workbench::show_scene(const Scene& scene, const fs::path& file, bool run) {
   context_.unsaved = false;
   context_.problems.clear();
   close_slow_step();
+  if (context_.compare) context_.compare->forget();
   context_.selected_particle.reset();
   context_.selected_node.reset();
   context_.selected_item.reset();

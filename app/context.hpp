@@ -54,6 +54,7 @@ struct RunHistory {
 
 struct PanelMemory;  // app/panels/memory.hpp
 struct StudyDesk;    // app/studies/desk.hpp
+struct CompareDesk;  // app/compare/desk.hpp
 class StepPlayer;    // app/inside/step_player.hpp
 class LessonDesk;    // app/lessons/desk.hpp
 
@@ -109,7 +110,9 @@ struct AppContext {
 
   /// What panels and tools remember between frames (open panel, half-typed values, gallery); made by the first one.
   std::shared_ptr<PanelMemory> memory;
-  std::shared_ptr<StudyDesk> studies;  ///< made by studies_of() (app/studies/desk.hpp)
+  std::shared_ptr<StudyDesk> studies;    ///< made by studies_of() (app/studies/desk.hpp)
+  std::shared_ptr<CompareDesk> compare;  ///< made by compare_of() (app/compare/desk.hpp)
+  int threads = 0;                       ///< of a simulation; 0: all
 };
 
 /// A panel of the left column, the right inspector or the bottom drawer: one file in panels/, one line in its table.

@@ -111,7 +111,7 @@ void Workbench::save_picture(const fs::path& file) {
                         {"Commit", std::string(build.commit)},
                         {"Scene hash", scene_hash(context_.scene)}};
   try {
-    write_png(view_->picture(context_), file, about);
+    write_png(view_picture(), file, about);
     notices_.add("Saved " + file.string());
   } catch (const std::exception& error) {
     report_file_trouble(error.what());

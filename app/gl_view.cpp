@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/compare/desk.hpp"
 #include "app/imgui_painter.hpp"
 #include "app/inside/overlay.hpp"
 #include "app/inside/step_player.hpp"
@@ -60,6 +61,10 @@ RenderOptions render_options(const AppContext& context, float pixel_scale) {
     o.bent_magnification = 1;  // the player's snapshots are magnified already
     const PhaseKind kind = context.slow->phase().kind;
     o.velocities = kind == PhaseKind::give || kind == PhaseKind::guess;
+  }
+  if (comparing(context) && context.compare->difference) {
+    o.field = Field::error;
+    o.range.reset();
   }
   o.pixel_scale = pixel_scale;
   o.theme = view.theme == Theme::dark ? RenderTheme::dark() : RenderTheme::light();
@@ -144,6 +149,10 @@ void GlView::draw(const AppContext& context) {
                    anew);
 }
 
+void GlView::aim(const AppContext& context) {
+  if (context.snapshot && !where_.empty()) follow_camera(*context.snapshot);
+}
+
 std::optional<double> GlView::refines_in() const {
   if (!shown_ || !shown_->options.in_motion) return std::nullopt;
   return std::max(0.0, std::chrono::duration<double>(changed_at_ + still_after - Clock::now()).count());
@@ -224,7 +233,7 @@ void GlView::handle_press(AppContext& context) {
   moved_ = false;
   const bool flat = dimension_ == 2;
   if (left) {
-    held_ = !tools_.empty() && tools_[tool_]->press(mouse_now(context, true), context);
+    held_ = !tools_.empty() && !comparing(context) && tools_[tool_]->press(mouse_now(context, true), context);
     // Beside the material the left button moves the camera, as laptops have no middle one.
     drag_ = held_ ? Drag::tool : flat || io.KeyShift ? Drag::pan : Drag::orbit;
   } else {
@@ -247,7 +256,7 @@ void GlView::handle_hold(AppContext& context) {
   }
   if (down) return handle_camera();
   drag_ = Drag::none;
-  if (!moved_ && ImGui::IsMouseReleased(ImGuiMouseButton_Left) && !tools_.empty())
+  if (!moved_ && ImGui::IsMouseReleased(ImGuiMouseButton_Left) && !tools_.empty() && !comparing(context))
     tools_[tool_]->click(mouse_now(context, true), context);
 }
 

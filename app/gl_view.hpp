@@ -30,7 +30,9 @@ class GlView {
   /// Draws into the framebuffer, or copies the last picture to it where nothing changed: a menu that opens over a
   /// large scene need not draw it again. Before ImGui draws over it.
   void draw(const AppContext& context);
-  /// Inside of ImGui's frame: camera and tools.
+  /// Moves the camera as draw() would, where somebody else draws through it.
+  void aim(const AppContext& context);
+  /// Inside of ImGui's frame: camera and tools; while lanes are compared the camera alone.
   void handle_mouse(AppContext& context);
   /// The tool's marks, clock, scale, axes and colour bar, on `list`.
   void draw_overlay(AppContext& context, ImDrawList& list);

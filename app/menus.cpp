@@ -99,6 +99,7 @@ void Workbench::draw_run_menu() {
   menu_item(Action::branch);
   draw_rewind_memory_menu();
   ImGui::Separator();
+  if (ImGui::MenuItem("Compare runs…")) context_.show_plot("Compare");
   if (ImGui::MenuItem("Study this scene…")) {
     studies_of(context_).set_up(context_);
     show_studies();

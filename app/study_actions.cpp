@@ -11,6 +11,7 @@ namespace fs = std::filesystem;
 
 void Workbench::set_study_actions() {
   context_.study_folder = setup_.studies;
+  context_.threads = setup_.threads;
   context_.wake = [this] {
     study_news_ = true;
     GlfwWindow::wake();

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "app/compare/desk.hpp"
 #include "app/theme.hpp"
 #include "app/tools/tool.hpp"
 #include "app/workbench.hpp"
@@ -10,7 +11,7 @@
 namespace pf::app {
 
 void Workbench::draw_tool_bar() {
-  if (layout_.left.empty() || layout_.view.height < 16 * ImGui::GetFontSize()) return;
+  if (comparing(context_) || layout_.left.empty() || layout_.view.height < 16 * ImGui::GetFontSize()) return;
   const float em = ImGui::GetFontSize();
   ImGui::SetNextWindowPos({layout_.view.x + 0.8f * em, layout_.view.y + 0.8f * em});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.25f * em, 0.25f * em});

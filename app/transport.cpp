@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/compare/desk.hpp"
 #include "app/inside/scrubber.hpp"
 #include "app/step_strip.hpp"
 #include "app/theme.hpp"
@@ -100,6 +101,10 @@ void Workbench::draw_transport() {
   const float row = layout_.transport_row;
   const Rect& bar = layout_.transport;
   const float inset = std::floor((row - ImGui::GetFrameHeight()) / 2);
+  if (comparing(context_)) {
+    ImGui::SetCursorPosY(layout_.time_line + inset);
+    return draw_compare_transport();
+  }
   time_line_.draw(context_, {bar.x + 0.9f * em, bar.y, bar.width - 1.8f * em, layout_.time_line});
   ImGui::SetCursorPosY(layout_.time_line + inset);
   if (context_.slow) {
@@ -121,12 +126,15 @@ void Workbench::draw_transport() {
 }
 
 void Workbench::draw_transport_buttons() {
-  const bool running = context_.status.state == RunState::running;
+  const bool compared = comparing(context_);
+  const CompareState lanes = compared ? context_.compare->status.state : CompareState::closed;
+  const bool running = compared ? lanes == CompareState::running : context_.status.state == RunState::running;
+  const bool finished = compared ? lanes == CompareState::finished : context_.status.state == RunState::finished;
   const float gap = 0.27f * ImGui::GetFontSize();
   if (icon_button("##run", running ? Icon::pause : Icon::play,
-                  running                                       ? "Pause (Space)"
-                  : context_.status.state == RunState::finished ? "Run again (Space)"
-                                                                : "Run (Space)",
+                  running    ? "Pause (Space)"
+                  : finished ? "Run again (Space)"
+                             : "Run (Space)",
                   true, context_.status.state != RunState::loading))
     act(Action::run_pause);
   ImGui::SameLine(0, gap);
@@ -147,10 +155,11 @@ void Workbench::draw_playback_choices() {
   ImGui::SetNextItemWidth(width);
   if (ImGui::BeginCombo("##rate", now, ImGuiComboFlags_HeightLarge)) {
     for (const Rate& rate : rates)
-      if (ImGui::Selectable(rate.label, rate.value == rate_)) session_.set_rate(rate_ = rate.value);
+      if (ImGui::Selectable(rate.label, rate.value == rate_)) set_rate(rate.value);
     ImGui::EndCombo();
   }
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("How fast simulated time runs, if the machine keeps up");
+  if (comparing(context_)) return;  // it pauses at the end
   ImGui::SameLine();
   ImGui::SetNextItemWidth(width);
   const auto end = static_cast<std::size_t>(at_end_);

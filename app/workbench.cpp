@@ -1,4 +1,5 @@
 #include "app/workbench.hpp"
+#include "app/compare/desk.hpp"
 
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -192,6 +193,7 @@ void Workbench::follow_session() {
     requested_ = wanted;
     session_.request(wanted);
   }
+  follow_comparison();
   follow_history();
   follow_selection();
   follow_lesson(context_);
@@ -292,9 +294,13 @@ void Workbench::draw() {
   in.drawer_open = drawer_open_;
   in.drawer_height = preferences_.drawer_height;
   layout_ = arrange(in);
-  view_->place(layout_.view, window_.pixels_per_unit(), static_cast<float>(window_.framebuffer_height()));
-  view_->handle_mouse(context_);
-  view_->draw(context_);
+  if (comparing(context_)) {
+    draw_lanes();
+  } else {
+    view_->place(layout_.view, window_.pixels_per_unit(), static_cast<float>(window_.framebuffer_height()));
+    view_->handle_mouse(context_);
+    view_->draw(context_);
+  }
   draw_parts();
   watch();
   if (!picture_wanted_.empty()) save_picture(std::exchange(picture_wanted_, {}));
@@ -312,7 +318,10 @@ Image Workbench::screenshot() {
 void Workbench::draw_parts() {
   const float em = ImGui::GetFontSize();
   const ImVec2 usual = ImGui::GetStyle().WindowPadding;
-  view_->draw_overlay(context_, *ImGui::GetBackgroundDrawList());
+  if (comparing(context_))
+    draw_lanes_overlay();
+  else
+    view_->draw_overlay(context_, *ImGui::GetBackgroundDrawList());
   if (!layout_.menu.empty()) draw_menus();
   part("left", layout_.left, usual, 0, [&] {
     ImGui::BeginChild("settings");

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/compare/lane_views.hpp"
 #include "app/context.hpp"
 #include "app/file_dialog.hpp"
 #include "app/gl_view.hpp"
@@ -118,6 +119,17 @@ class Workbench {
   std::string file_label() const;
   bool shipped(const std::filesystem::path& file) const;
 
+  // compare_actions.cpp
+  void follow_comparison();
+  /// False: it has nothing to do with a comparison.
+  bool act_on_comparison(Action action);
+  void draw_lanes();
+  void draw_lanes_overlay();
+  /// Of the view, or of all lanes; without panels.
+  Image view_picture();
+  void draw_compare_transport();
+  void set_rate(double simulated_per_wall);
+
   // study_actions.cpp
   void set_study_actions();
   void follow_studies();
@@ -157,6 +169,7 @@ class Workbench {
   UndoStack undo_;
   std::uint64_t document_ = 0, documents_ = 0;  ///< the number of the one shown; numbers given
   std::unique_ptr<GlView> view_;
+  std::unique_ptr<LaneViews> lane_views_;  ///< made by the first comparison
   FileDialog file_dialog_;
   ScenePicker scene_picker_;
   Notices notices_;

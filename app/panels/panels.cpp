@@ -1,5 +1,7 @@
 #include "app/panels/panels.hpp"
 
+#include "app/compare/desk.hpp"
+
 namespace pf::app {
 
 namespace {
@@ -21,10 +23,10 @@ bool slow(const AppContext& c) {
 }
 // While a step is played slowly its own panel has their numbers.
 bool selected(const AppContext& c) {
-  return c.selected_particle.has_value() && !slow(c);
+  return c.selected_particle.has_value() && !slow(c) && !comparing(c);
 }
 bool node_selected(const AppContext& c) {
-  return c.selected_node.has_value() && !slow(c);
+  return c.selected_node.has_value() && !slow(c) && !comparing(c);
 }
 
 }  // namespace
@@ -47,6 +49,7 @@ const std::vector<Panel>& panels() {
       {"Momentum", Dock::bottom, always, draw_momentum_plot},
       {"Convergence", Dock::bottom, solves, draw_convergence_plot},
       {"Time by phase", Dock::bottom, always, draw_phases_plot},
+      {"Compare", Dock::bottom, always, draw_compare_panel},
       {"Studies", Dock::bottom, always, draw_studies_panel},
   };
   return table;

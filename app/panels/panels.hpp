@@ -27,6 +27,7 @@ void draw_balance_plot(AppContext& context);
 void draw_momentum_plot(AppContext& context);
 void draw_convergence_plot(AppContext& context);
 void draw_phases_plot(AppContext& context);
+void draw_compare_panel(AppContext& context);  // app/compare/panel.cpp
 void draw_studies_panel(AppContext& context);
 
 }  // namespace pf::app

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/compare/desk.hpp"
 #include "app/panels/memory.hpp"
 #include "app/panels/relevance.hpp"
 #include "app/widgets/choices.hpp"
@@ -74,6 +75,12 @@ bool restore_menu(Widget& w) {
     if (const auto usual = default_value(w.setting, w.value)) {
       const std::string text = "Default: " + value_text(*usual, w.setting);
       if (ImGui::MenuItem(text.c_str(), nullptr, false, *usual != w.value)) changed = w.apply(*usual);
+    }
+    if (w.context.scene.time.end > 0 && ImGui::MenuItem("Compare with another value…")) {
+      CompareDesk& desk = compare_of(w.context);
+      desk.pointer = w.pointer;
+      desk.typed = w.value.is_number() ? value_text(w.value, w.setting) : std::string();
+      w.context.show_plot("Compare");
     }
     if (ImGui::MenuItem("Copy for the command line"))
       ImGui::SetClipboardText(("--set '" + w.pointer + "=" + w.value.dump() + "'").c_str());

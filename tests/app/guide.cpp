@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <map>
 
+#include "app/compare/desk.hpp"
 #include "app/inside/step_player.hpp"
 #include "app/lessons/desk.hpp"
 #include "app/panels/memory.hpp"
@@ -70,6 +71,16 @@ struct Shot : Stage {
       if (p.question) context().lesson->answer_ = p.question->answer;
     }
   }
+  /// Lanes to a time of theirs.
+  void act_until(double time) {
+    context().compare->comparison.set_rate(0);
+    until([&] {
+      frames(1);
+      return context().compare->status.time >= time || !context().compare->active();
+    });
+    context().compare->comparison.pause();
+    until([&] { return context().compare->status.state != CompareState::running; });
+  }
   Image take() {
     frames(12);
     until([&] { return !context().status.step_in_flight; });
@@ -124,6 +135,38 @@ const std::map<std::string, Prepare>& views() {
          s.context().show_plot("Convergence");
          s.frames(3);
          s.steps(3);
+       }},
+      {"compare",
+       [](Shot& s) {
+         s.show("welcome", 1);
+         s.context().show_plot("Compare");
+         s.frames(3);
+         CompareDesk& desk = compare_of(s.context());
+         desk.add(s.context(), "/integrator/type", "implicit_midpoint");
+         desk.add(s.context(), "/grid/basis", "linear");
+         s.act_until(0.6);
+         desk.metric = 7;
+       }},
+      {"compare-difference",
+       [](Shot& s) {
+         s.show("drooping-cantilever", 1);
+         s.context().show_plot("Compare");
+         s.frames(3);
+         CompareDesk& desk = compare_of(s.context());
+         desk.add(s.context(), "/time/step", 0.005);
+         desk.difference = true;
+         s.act_until(0.4);
+       }},
+      {"compare-3d",
+       [](Shot& s) {
+         s.show("twisted-bar", 1);
+         s.context().show_plot("Compare");
+         s.frames(3);
+         CompareDesk& desk = compare_of(s.context());
+         desk.add(s.context(), "/transfer/type", "pic");
+         desk.add(s.context(), "/time/step", 0.005);
+         desk.add(s.context(), "/grid/basis", "cubic");
+         s.act_until(0.15);
        }},
       {"lesson", [](Shot& s) { s.lesson_at(5, 3, true); }},
       {"lesson-newton", [](Shot& s) { s.lesson_at(4, 1, true); }},

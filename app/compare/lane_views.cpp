@@ -1,0 +1,208 @@
+#include "app/compare/lane_views.hpp"
+
+#include <epoxy/gl.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "app/gl_view.hpp"
+#include "app/imgui_painter.hpp"
+#include "app/theme.hpp"
+#include "app/widgets/units.hpp"
+#include "core/charts/png_painter.hpp"
+#include "core/charts/theme.hpp"
+#include "render/overlay.hpp"
+
+namespace pf::app {
+namespace {
+
+constexpr float gap_between = 2;  // pixels
+
+std::string distance_words(const LaneFrame& lane, std::size_t index) {
+  if (!lane.failure.empty()) return "stands still: " + lane.failure;
+  if (index == 0) return "the others are measured against this one";
+  if (!lane.distance) return "other particles than in lane 1";
+  return quantity(lane.distance->rms, "m", 3) + " from lane 1, at most " + quantity(lane.distance->max, "m", 3);
+}
+
+/// Shortened to `width`.
+std::string fitted(Painter& painter, std::string text, float size, float width) {
+  if (painter.text_width(text, size) <= width) return text;
+  while (text.size() > 4 && painter.text_width(text + "…", size) > width) {
+    text.pop_back();
+    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U) text.pop_back();
+  }
+  return text + "…";
+}
+
+Color text_color(Theme theme) {
+  return palette(theme).text;
+}
+
+/// The lane's number in its colour, its name, and how far it has come away from the first.
+void draw_head(Painter& painter, const LaneFrame& lane, std::size_t index, Theme theme, Point2 corner, float width) {
+  constexpr float em = base_em;
+  const ChartTheme colors = theme == Theme::dark ? dark_theme() : light_theme();
+  const Point2 centre{corner.x + 1.3F * em, corner.y + 1.35F * em};
+  painter.circle(centre, 0.72F * em, colors.series[index]);
+  painter.text({centre.x, centre.y + 0.36F * em}, std::to_string(index + 1), em,
+               theme == Theme::dark ? Color{0, 0, 0, 1} : Color{1, 1, 1, 1}, TextAlign::centre, FontWeight::bold);
+  const float left = corner.x + 2.5F * em, room = width - 3.2F * em;
+  painter.text({left, corner.y + 1.3F * em}, fitted(painter, lane.name, em, room), em, text_color(theme),
+               TextAlign::left, FontWeight::bold);
+  painter.text({left, corner.y + 2.4F * em}, fitted(painter, distance_words(lane, index), 0.85F * em, room), 0.85F * em,
+               lane.failure.empty() ? palette(theme).muted : palette(theme).error);
+}
+
+}  // namespace
+
+std::vector<Rect> lane_cells(const Rect& view, std::size_t lanes, float aspect) {
+  std::size_t best = 1;
+  float largest = 0;
+  for (std::size_t columns = 1; columns <= lanes; ++columns) {
+    const std::size_t rows = (lanes + columns - 1) / columns;
+    const float width = view.width / static_cast<float>(columns), height = view.height / static_cast<float>(rows);
+    const float scale = std::min(width, height * aspect);
+    if (scale > 1.02F * largest) {
+      largest = scale;
+      best = columns;
+    }
+  }
+  const std::size_t rows = (lanes + best - 1) / best;
+  const float width = std::floor((view.width - gap_between * static_cast<float>(best - 1)) / static_cast<float>(best));
+  const float height =
+      std::floor((view.height - gap_between * static_cast<float>(rows - 1)) / static_cast<float>(rows));
+  std::vector<Rect> cells;
+  for (std::size_t k = 0; k < lanes; ++k)
+    cells.push_back({view.x + static_cast<float>(k % best) * (width + gap_between),
+                     view.y + static_cast<float>(k / best) * (height + gap_between), width, height});
+  return cells;
+}
+
+Rect LaneViews::place(const Rect& view, std::size_t lanes, float aspect, Point2 mouse) {
+  cells_ = lane_cells(view, lanes, aspect);
+  for (const Rect& cell : cells_)
+    if (cell.contains(mouse.x, mouse.y)) return cell;
+  return cells_.front();
+}
+
+void LaneViews::forget() {
+  range_.reset();
+  ranged_.reset();
+}
+
+RenderOptions LaneViews::options(const AppContext& context, const CompareDesk& desk, float pixel_scale) {
+  RenderOptions o = render_options(context, pixel_scale);
+  if (o.range || !desk.frame) return o;
+  if (ranged_field_ != o.field) range_.reset();
+  if (ranged_ != desk.frame || ranged_field_ != o.field) {
+    ranged_ = desk.frame;
+    ranged_field_ = o.field;
+    constexpr std::size_t enough = 10000;
+    std::vector<float> values;
+    for (const LaneFrame& lane : desk.frame->lanes) {
+      if (!lane.snapshot) continue;
+      const auto& all = lane.snapshot->field[static_cast<std::size_t>(o.field)];
+      const std::size_t stride = all.size() / enough + 1;
+      for (std::size_t k = 0; k < all.size(); k += stride) values.push_back(all[k]);
+    }
+    if (!values.empty()) range_.update(values, field_info(o.field));
+  }
+  if (field_info(o.field).scale != FieldScale::categorical) o.range = range_.range();
+  return o;
+}
+
+void LaneViews::draw(const AppContext& context, const CompareDesk& desk, const Camera& camera, float pixels_per_unit,
+                     float framebuffer_height, float overlay_scale) {
+  while (views_.size() < cells_.size()) views_.push_back(std::make_unique<View>());
+  if (!desk.frame) return;
+  const auto whole = [](float v) { return static_cast<int>(std::lround(v)); };
+  const RenderOptions options = this->options(context, desk, pixels_per_unit * overlay_scale);
+  for (std::size_t k = 0; k < cells_.size() && k < desk.frame->lanes.size(); ++k) {
+    const auto& snapshot = desk.frame->lanes[k].snapshot;
+    if (!snapshot) continue;
+    View& view = *views_[k];
+    const ViewSize size{std::max(1, whole(cells_[k].width * pixels_per_unit)),
+                        std::max(1, whole(cells_[k].height * pixels_per_unit))};
+    if (!view.target || view.target->size() != size) {
+      view.target.emplace(size, 1);
+      view.shown.reset();
+    }
+    const Shown wanted{snapshot, options, camera};
+    const bool anew = view.shown != wanted;
+    if (anew) {
+      view.target->bind();
+      view.renderer.draw(*snapshot, options, camera, {0, 0, size});
+      view.shown = wanted;
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);  // the window's
+    view.target->copy_to(whole(cells_[k].x * pixels_per_unit),
+                         whole(framebuffer_height - cells_[k].bottom() * pixels_per_unit), anew);
+  }
+}
+
+void LaneViews::draw_overlay(const AppContext& context, const CompareDesk& desk, const Camera& camera,
+                             float pixels_per_unit, float overlay_scale, ImDrawList& list) const {
+  if (!desk.frame) return;
+  const RenderOptions options = render_options(context, pixels_per_unit * overlay_scale);
+  ImGuiPainter painter(list, overlay_scale);
+  for (std::size_t k = 0; k < cells_.size() && k < desk.frame->lanes.size() && k < views_.size(); ++k) {
+    const LaneFrame& lane = desk.frame->lanes[k];
+    const Rect& cell = cells_[k];
+    const Point2 low{cell.x / overlay_scale, cell.y / overlay_scale},
+        high{cell.right() / overlay_scale, cell.bottom() / overlay_scale};
+    painter.push_clip(low, high);
+    if (lane.snapshot && views_[k]->target) {
+      OverlayInfo info =
+          OverlayInfo::of(*lane.snapshot, views_[k]->renderer, options, camera, views_[k]->target->size());
+      info.clock = false;
+      info.scale_bar = info.axes = k == 0;
+      pf::draw_overlay(info, options.theme, painter, low, high);
+    }
+    draw_head(painter, lane, k, context.view.theme, low, high.x - low.x);
+    painter.pop_clip();
+  }
+}
+
+Image LaneViews::picture(const AppContext& context, const CompareDesk& desk, const Camera& camera,
+                         float overlay_scale) {
+  const Rect &first = cells_.front(), &last = cells_.back();
+  float right = 0;
+  for (const Rect& cell : cells_) right = std::max(right, cell.right());
+  const float finer = std::max(1.0F, 1600.0F / (right - first.x));
+  const auto whole = [&](float v) { return static_cast<int>(std::lround(finer * v)); };
+  Image image(whole(right - first.x), whole(last.bottom() - first.y), palette(context.view.theme).border);
+  Camera closer = camera;
+  const ViewSize size{whole(first.width), whole(first.height)};
+  if (auto* flat = std::get_if<Camera2D>(&closer))
+    flat->pixels_per_metre *= static_cast<double>(size.width) / static_cast<double>(first.width);
+  RenderOptions options = this->options(context, desk, finer * overlay_scale);
+  options.best_quality = true;
+  options.selected.reset();
+  OffscreenTarget target(size);
+  for (std::size_t k = 0; k < cells_.size() && k < desk.frame->lanes.size(); ++k) {
+    const LaneFrame& lane = desk.frame->lanes[k];
+    if (!lane.snapshot) continue;
+    target.bind();
+    views_[k]->renderer.draw(*lane.snapshot, options, closer, {0, 0, size});
+    Image part = target.read();
+    OverlayInfo info = OverlayInfo::of(*lane.snapshot, views_[k]->renderer, options, closer, size);
+    info.clock = k == 0;
+    info.scale_bar = info.axes = k == 0;
+    PngPainter painter(part, options.pixel_scale);
+    const Point2 end{static_cast<float>(size.width) / options.pixel_scale,
+                     static_cast<float>(size.height) / options.pixel_scale};
+    pf::draw_overlay(info, options.theme, painter, {0, 0}, end);
+    draw_head(painter, lane, k, context.view.theme, {0, 0}, end.x);
+    const int x0 = whole(cells_[k].x - first.x), y0 = whole(cells_[k].y - first.y);
+    for (int y = 0; y < part.height && y0 + y < image.height; ++y) {
+      const auto bytes = static_cast<std::size_t>(4 * std::min(part.width, image.width - x0));
+      std::memcpy(image.at(x0, y0 + y), part.at(0, y), bytes);
+    }
+  }
+  return image;
+}
+
+}  // namespace pf::app
