@@ -62,6 +62,11 @@ void Workbench::draw_lanes_overlay() {
   if (!lane_views_ || lane_views_->cells().size() != context_.compare->lanes.size()) return;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const Rect& v = layout_.view;
+  // Where the lanes leave a cell free.
+  const std::vector<Rect>& cells = lane_views_->cells();
+  if (cells.back().right() + 4 < v.right() && cells.back().y > cells.front().y + 1)
+    list.AddRectFilled({cells.back().right() + 2, cells.back().y}, {v.right(), v.bottom()},
+                       ImGui::GetColorU32(ImGuiCol_WindowBg));
   const ImU32 line = ImGui::GetColorU32(ImGuiCol_Border);
   for (const Rect& cell : lane_views_->cells()) {
     if (cell.right() + 4 < v.right())

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/scene/live_lists.hpp"
 #include "core/scene/scene_io.hpp"
 
 namespace pf::app {
@@ -63,7 +64,7 @@ std::vector<Edit> difference(const Scene& from, const Scene& to) {
 }
 
 Applies applies(const Edit& edit) {
-  if (edit.pointer == "/bodies/-") return Applies::live;  // it enters the running simulation
+  if (comes_or_goes_live(edit.pointer)) return Applies::live;  // it enters the running simulation, or leaves it
   for (std::string pointer = edit.pointer; !pointer.empty(); pointer.erase(pointer.rfind('/'))) {
     if (const Setting* setting = find_setting(pointer)) return setting->applies;
   }

@@ -1,7 +1,7 @@
 // The tools as buttons at the view's upper left corner.
 #include <imgui.h>
 
-#include <string>
+#include <vector>
 
 #include "app/compare/desk.hpp"
 #include "app/theme.hpp"
@@ -9,9 +9,29 @@
 #include "app/workbench.hpp"
 
 namespace pf::app {
+namespace {
+
+void explain(const ToolInfo& tool) {
+  if (!ImGui::IsItemHovered()) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(24 * ImGui::GetFontSize());
+  ImGui::TextUnformatted(tool.help);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+}  // namespace
+
+void Workbench::draw_tool_button(const ToolInfo& tool) {
+  const bool chosen = context_.tool == tool.key;
+  if (chosen) push_accent_button();
+  if (ImGui::Button(tool.label, {4.6f * ImGui::GetFontSize(), 0})) context_.tool = tool.key;
+  if (chosen) pop_accent_button();
+  explain(tool);
+}
 
 void Workbench::draw_tool_bar() {
-  if (comparing(context_) || layout_.left.empty() || layout_.view.height < 16 * ImGui::GetFontSize()) return;
+  if (comparing(context_) || layout_.left.empty()) return;
   const float em = ImGui::GetFontSize();
   ImGui::SetNextWindowPos({layout_.view.x + 0.8f * em, layout_.view.y + 0.8f * em});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.25f * em, 0.25f * em});
@@ -22,18 +42,24 @@ void Workbench::draw_tool_bar() {
   ImGui::Begin("tools", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
-  for (const ToolInfo& tool : tools()) {
-    if (tool.flat_only && context_.scene.dimension != 2) continue;
-    const bool chosen = context_.tool == tool.key;
-    if (chosen) push_accent_button();
-    if (ImGui::Button(tool.label, {4.6f * em, 0})) context_.tool = tool.key;
-    if (chosen) pop_accent_button();
-    if (ImGui::IsItemHovered()) {
-      ImGui::BeginTooltip();
-      ImGui::PushTextWrapPos(24 * em);
-      ImGui::TextUnformatted(tool.help);
-      ImGui::PopTextWrapPos();
-      ImGui::EndTooltip();
+  std::vector<const ToolInfo*> offered;
+  for (const ToolInfo& tool : tools())
+    if (!tool.flat_only || context_.scene.dimension == 2) offered.push_back(&tool);
+  // A column where there is room for it above scale and axes, else one button that opens it.
+  const float needed = static_cast<float>(offered.size()) * (ImGui::GetFrameHeight() + 0.25f * em) + 6 * em;
+  if (needed <= layout_.view.height) {
+    for (const ToolInfo* tool : offered) draw_tool_button(*tool);
+  } else {
+    const char* now = offered.front()->label;
+    for (const ToolInfo* tool : offered)
+      if (context_.tool == tool->key) now = tool->label;
+    ImGui::SetNextItemWidth(6 * em);
+    if (ImGui::BeginCombo("##tool", now, ImGuiComboFlags_HeightLarge)) {
+      for (const ToolInfo* tool : offered) {
+        if (ImGui::Selectable(tool->label, context_.tool == tool->key)) context_.tool = tool->key;
+        explain(*tool);
+      }
+      ImGui::EndCombo();
     }
   }
   ImGui::End();

@@ -22,6 +22,7 @@
 #include "app/session.hpp"
 #include "app/studies/library.hpp"
 #include "app/time_line.hpp"
+#include "app/tools/tool.hpp"
 #include "app/undo.hpp"
 
 namespace pf::app {
@@ -90,6 +91,7 @@ class Workbench {
   void draw_parts();
   void draw_drawer_toggle();
   void draw_tool_bar();
+  void draw_tool_button(const ToolInfo& tool);
   void draw_splitter();
 
   // actions.cpp

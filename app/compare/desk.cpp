@@ -28,11 +28,11 @@ Scene CompareDesk::scene_of(const AppContext& context, const LaneSpec& lane) {
 std::string CompareDesk::name_of(const Scene& scene, const std::string& pointer, const nlohmann::json& value) {
   const Setting* setting = find_setting(pointer);
   const std::string text = setting ? value_text(nlohmann::ordered_json(value), *setting) : value.dump();
-  if (setting && setting->kind == SettingKind::choice) return text;
+  if (pointer == "/integrator/type" || pointer == "/transfer/type") return text;
   return setting_title(scene, pointer) + " " + text;
 }
 
-std::vector<LaneProposal> CompareDesk::proposals(const Scene& scene) {
+std::vector<LaneProposal> CompareDesk::proposals(const Scene& scene) const {
   std::vector<LaneProposal> out;
   const bool is_explicit = scene.integrator.type == "symplectic_euler", still = scene.integrator.type == "quasi_static";
   if (!still) out.push_back({"/time/step", is_explicit ? scene.time.step / 2 : scene.time.step / 4});
@@ -43,7 +43,9 @@ std::vector<LaneProposal> CompareDesk::proposals(const Scene& scene) {
   out.push_back({"/grid/basis", scene.grid.basis == "linear" ? "quadratic" : "linear"});
   std::erase_if(out, [&](const LaneProposal& p) {
     try {
-      return edited(scene, std::vector<Edit>{{p.pointer, p.value}}) == scene;
+      const Scene next = edited(scene, std::vector<Edit>{{p.pointer, p.value}});
+      return std::any_of(lanes.begin(), lanes.end(),
+                         [&](const LaneSpec& lane) { return edited(scene, lane.edits) == next; });
     } catch (const InputError&) {
       return true;  // does not go with the scene's other settings
     }
@@ -144,6 +146,8 @@ void CompareDesk::follow(AppContext& context) {
     c.elastic.push_back(s.elastic);
     c.total.push_back(s.total);
     c.momentum.push_back(s.momentum);
+    if (s.dt == 0) continue;
+    c.step_time.push_back(s.time);
     c.iterations.push_back(s.iterations);
     c.wall_ms.push_back(s.wall_ms);
     c.dt.push_back(s.dt);

@@ -14,7 +14,8 @@ namespace pf::app {
 
 /// Of one lane, over time.
 struct LaneCurves {
-  std::vector<double> time, kinetic, elastic, total, momentum, iterations, wall_ms, dt;
+  std::vector<double> time, kinetic, elastic, total, momentum;  ///< a value a state
+  std::vector<double> step_time, iterations, wall_ms, dt;       ///< a value a step
   std::vector<double> distance_time, rms, max;
 };
 
@@ -42,8 +43,8 @@ struct CompareDesk {
   static Scene scene_of(const AppContext& context, const LaneSpec& lane);
   /// "Time step 5 ms".
   static std::string name_of(const Scene& scene, const std::string& pointer, const nlohmann::json& value);
-  /// Those that say something about this scene.
-  static std::vector<LaneProposal> proposals(const Scene& scene);
+  /// Those that say something about this scene and are not there yet.
+  std::vector<LaneProposal> proposals(const Scene& scene) const;
 
   std::vector<LaneSpec> lanes;  ///< empty or one: nothing is compared
   std::vector<LaneCurves> curves;

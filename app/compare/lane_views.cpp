@@ -37,12 +37,19 @@ std::string fitted(Painter& painter, std::string text, float size, float width) 
   return text + "…";
 }
 
+/// Scale, axes and a second line of text beside the picture, not over it.
+bool roomy(Point2 low, Point2 high) {
+  return high.y - low.y > 11 * base_em && high.x - low.x > 13 * base_em;
+}
+
 Color text_color(Theme theme) {
   return palette(theme).text;
 }
 
 /// The lane's number in its colour, its name, and how far it has come away from the first.
-void draw_head(Painter& painter, const LaneFrame& lane, std::size_t index, Theme theme, Point2 corner, float width) {
+/// `detailed`: where there is room for it.
+void draw_head(Painter& painter, const LaneFrame& lane, std::size_t index, Theme theme, Point2 corner, float width,
+               bool detailed) {
   constexpr float em = base_em;
   const ChartTheme colors = theme == Theme::dark ? dark_theme() : light_theme();
   const Point2 centre{corner.x + 1.3F * em, corner.y + 1.35F * em};
@@ -50,10 +57,18 @@ void draw_head(Painter& painter, const LaneFrame& lane, std::size_t index, Theme
   painter.text({centre.x, centre.y + 0.36F * em}, std::to_string(index + 1), em,
                theme == Theme::dark ? Color{0, 0, 0, 1} : Color{1, 1, 1, 1}, TextAlign::centre, FontWeight::bold);
   const float left = corner.x + 2.5F * em, room = width - 3.2F * em;
-  painter.text({left, corner.y + 1.3F * em}, fitted(painter, lane.name, em, room), em, text_color(theme),
-               TextAlign::left, FontWeight::bold);
-  painter.text({left, corner.y + 2.4F * em}, fitted(painter, distance_words(lane, index), 0.85F * em, room), 0.85F * em,
-               lane.failure.empty() ? palette(theme).muted : palette(theme).error);
+  const std::string name = fitted(painter, lane.name, em, room);
+  const std::string words = detailed ? fitted(painter, distance_words(lane, index), 0.85F * em, room) : "";
+  const float wide = std::max(painter.text_width(name, em, FontWeight::bold), painter.text_width(words, 0.85F * em));
+  Color back = palette(theme).window;
+  back.a = 0.8F;
+  painter.rectangle({corner.x + 0.3F * em, corner.y + 0.35F * em},
+                    {left + wide + 0.5F * em, corner.y + (detailed ? 2.85F : 2.35F) * em}, back, 0.4F * em);
+  painter.text({left, corner.y + (detailed ? 1.3F : 1.7F) * em}, name, em, text_color(theme), TextAlign::left,
+               FontWeight::bold);
+  if (detailed)
+    painter.text({left, corner.y + 2.4F * em}, words, 0.85F * em,
+                 lane.failure.empty() ? palette(theme).muted : palette(theme).error);
 }
 
 }  // namespace
@@ -158,10 +173,11 @@ void LaneViews::draw_overlay(const AppContext& context, const CompareDesk& desk,
       OverlayInfo info =
           OverlayInfo::of(*lane.snapshot, views_[k]->renderer, options, camera, views_[k]->target->size());
       info.clock = false;
-      info.scale_bar = info.axes = k == 0;
+      info.scale_bar = info.axes = k == 0 && roomy(low, high);
+      info.color_bar = high.x - low.x > 24 * base_em || (k + 1 == cells_.size() && roomy(low, high));
       pf::draw_overlay(info, options.theme, painter, low, high);
     }
-    draw_head(painter, lane, k, context.view.theme, low, high.x - low.x);
+    draw_head(painter, lane, k, context.view.theme, low, high.x - low.x, roomy(low, high));
     painter.pop_clip();
   }
 }
@@ -195,7 +211,7 @@ Image LaneViews::picture(const AppContext& context, const CompareDesk& desk, con
     const Point2 end{static_cast<float>(size.width) / options.pixel_scale,
                      static_cast<float>(size.height) / options.pixel_scale};
     pf::draw_overlay(info, options.theme, painter, {0, 0}, end);
-    draw_head(painter, lane, k, context.view.theme, {0, 0}, end.x);
+    draw_head(painter, lane, k, context.view.theme, {0, 0}, end.x, true);
     const int x0 = whole(cells_[k].x - first.x), y0 = whole(cells_[k].y - first.y);
     for (int y = 0; y < part.height && y0 + y < image.height; ++y) {
       const auto bytes = static_cast<std::size_t>(4 * std::min(part.width, image.width - x0));

@@ -77,6 +77,7 @@ void LaneSet::start(Lane& lane) const {
   try {
     lane.simulation = factory_(lane.scene, options_);
     lane.events.emplace(lane.scene);
+    lane.history.push_back(sample(0, lane.simulation->report()));
   } catch (const std::exception& error) {
     lane.failure = error.what();
   }
@@ -115,10 +116,7 @@ void LaneSet::change(const Scene& base, const std::vector<LaneSpec>& specs) {
     lane.spec = spec;
   }
   lanes_ = std::move(next);
-  for (std::size_t k = 0; k < lanes_.size(); ++k) {
-    for (LaneSample& s : lanes_[k].history) s.lane = k;
-    for (LaneDistance& d : lanes_[k].apart) d.lane = k;
-  }
+  number();
 }
 
 void LaneSet::reset() {
@@ -128,6 +126,14 @@ void LaneSet::reset() {
   edited_ = false;
   for (Lane& lane : lanes_) lane.simulation.reset();  // first: old and new need not fit side by side
   for (Lane& lane : lanes_) start(lane);
+  number();
+}
+
+void LaneSet::number() {
+  for (std::size_t k = 0; k < lanes_.size(); ++k) {
+    for (LaneSample& s : lanes_[k].history) s.lane = k;
+    for (LaneDistance& d : lanes_[k].apart) d.lane = k;
+  }
 }
 
 void LaneSet::edit(const Scene& base) {

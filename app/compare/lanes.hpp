@@ -48,7 +48,7 @@ struct Lane {
   long frame = 0;       ///< the newest common time that it has reached
   std::string failure;  ///< why it stands still; "": it does not
   bool waits_for_reset = false;
-  std::vector<LaneSample> history;  ///< a sample a step
+  std::vector<LaneSample> history;  ///< of the initial state, where dt = 0, then of each step
   std::vector<LaneDistance> apart;  ///< one a common time, filled in by who measures it
 };
 
@@ -87,6 +87,8 @@ class LaneSet {
  private:
   Lane made(const Scene& base, const LaneSpec& spec) const;
   void start(Lane& lane) const;
+  /// Says in their samples which lane they are of.
+  void number();
   double end() const;
   const Lane* behind() const;
 

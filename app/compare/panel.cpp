@@ -31,18 +31,18 @@ using nlohmann::json;
 struct Metric {
   const char *name, *unit;
   std::vector<double> LaneCurves::*values;
-  bool distance = false;  ///< over the common times, not over the lane's steps
+  std::vector<double> LaneCurves::*times = &LaneCurves::time;
 };
 const std::array metrics{
     Metric{"Total energy", "J", &LaneCurves::total},
     Metric{"Kinetic energy", "J", &LaneCurves::kinetic},
     Metric{"Elastic energy", "J", &LaneCurves::elastic},
     Metric{"Momentum", "kg m/s", &LaneCurves::momentum},
-    Metric{"Newton iterations a step", "", &LaneCurves::iterations},
-    Metric{"Wall time a step", "ms", &LaneCurves::wall_ms},
-    Metric{"Time step", "s", &LaneCurves::dt},
-    Metric{"Distance from lane 1 (rms)", "m", &LaneCurves::rms, true},
-    Metric{"Distance from lane 1 (largest)", "m", &LaneCurves::max, true},
+    Metric{"Newton iterations a step", "", &LaneCurves::iterations, &LaneCurves::step_time},
+    Metric{"Wall time a step", "ms", &LaneCurves::wall_ms, &LaneCurves::step_time},
+    Metric{"Time step", "s", &LaneCurves::dt, &LaneCurves::step_time},
+    Metric{"Distance from lane 1 (rms)", "m", &LaneCurves::rms, &LaneCurves::distance_time},
+    Metric{"Distance from lane 1 (largest)", "m", &LaneCurves::max, &LaneCurves::distance_time},
 };
 
 constexpr float both = 48;  // em: table and plot stand side by side
@@ -117,7 +117,7 @@ void draw_next(AppContext& context, CompareDesk& desk) {
   const float room = ImGui::GetContentRegionAvail().x;
   muted(desk.active() ? "One more lane, with one thing changed:" : "A lane beside this run, with one thing changed:");
   bool first = true;
-  for (const LaneProposal& p : CompareDesk::proposals(context.scene)) {
+  for (const LaneProposal& p : desk.proposals(context.scene)) {
     const std::string label = CompareDesk::name_of(context.scene, p.pointer, p.value);
     if (flow_button(label.c_str(), first)) desk.add(context, p.pointer, p.value);
     first = false;
@@ -203,49 +203,59 @@ void number_cell(const std::string& text, const char* help) {
   if (help) tooltip(help);
 }
 
+/// What the table says of a lane; the first that goes where there is little room has the highest number.
+struct Column {
+  const char *head, *help;
+  float room;  ///< least width of the table that has room for it [em]
+  std::string (*text)(const CompareDesk&, std::size_t);
+};
+// clang-format off
+const std::array columns{
+    Column{"Energy", "Total energy now.", 30, [](const CompareDesk& d, std::size_t k) {
+             return newest(d.curves[k].total, "J"); }},
+    Column{"Change", "Of the total energy since the start.", 22, [](const CompareDesk& d, std::size_t k) {
+             const auto& E = d.curves[k].total;
+             return E.empty() ? "" : quantity(E.back() - E.front(), "J", 2); }},
+    Column{"|p|", "Size of the momentum [kg m/s].", 34, [](const CompareDesk& d, std::size_t k) {
+             const auto& p = d.curves[k].momentum;
+             return p.empty() ? "" : quantity(p.back(), "", 3); }},
+    Column{"It.", "Newton iterations a step, on average.", 26, [](const CompareDesk& d, std::size_t k) {
+             return d.curves[k].iterations.empty() ? "" : quantity(mean(d.curves[k].iterations), "", 2); }},
+    Column{"ms/step", "Wall time a step, on average; lanes are computed one after the other.", 0,
+           [](const CompareDesk& d, std::size_t k) {
+             return d.curves[k].wall_ms.empty() ? "" : quantity(mean(d.curves[k].wall_ms), "", 3); }},
+    Column{"Distance", "Of its particles from those of lane 1, rms over the volume; a dash: it has other particles.", 0,
+           [](const CompareDesk& d, std::size_t k) -> std::string {
+             if (k == 0 || !d.frame || k >= d.frame->lanes.size()) return "";
+             const auto& apart = d.frame->lanes[k].distance;
+             return apart ? quantity(apart->rms, "m", 3) : "\u2013"; }}};
+// clang-format on
+
 void draw_table(AppContext& context, CompareDesk& desk) {
-  struct Column {
-    const char *head, *help;
-  };
-  constexpr std::array<Column, 6> columns{
-      Column{"Energy", "Total energy now."},
-      Column{"Change", "Of the total energy since the start."},
-      Column{"|p|", "Size of the momentum."},
-      Column{"It.", "Newton iterations a step, on average."},
-      Column{"ms/step", "Wall time a step, on average; lanes are computed one after the other."},
-      Column{"Distance", "Of its particles from those of lane 1, rms over the volume."}};
   constexpr auto flags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_PadOuterX |
                          ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH;
+  const float room = ImGui::GetContentRegionAvail().x / em();
+  std::vector<const Column*> shown;
+  for (const Column& c : columns)
+    if (c.room <= room) shown.push_back(&c);
   std::size_t removed = desk.lanes.size();
-  if (!ImGui::BeginTable("lanes", 1 + static_cast<int>(columns.size()), flags)) return;
+  if (!ImGui::BeginTable("lanes", 1 + static_cast<int>(shown.size()), flags)) return;
   ImGui::TableSetupColumn("Lane", ImGuiTableColumnFlags_WidthStretch);
-  for (const Column& c : columns) ImGui::TableSetupColumn(c.head);
+  for (const Column* c : shown) ImGui::TableSetupColumn(c->head);
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::TextDisabled("Lane");
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-  for (const Column& c : columns) number_cell(c.head, c.help);
+  for (const Column* c : shown) number_cell(c->head, c->help);
   ImGui::PopStyleColor();
   for (std::size_t k = 0; k < desk.lanes.size() && k < desk.curves.size(); ++k) {
-    const LaneCurves& c = desk.curves[k];
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(static_cast<int>(k));
     if (lane_cell(context, desk, k)) removed = k;
     ImGui::PopID();
     if (k >= desk.lanes.size()) break;  // closed by its menu
-    const LaneFrame* frame = desk.frame && k < desk.frame->lanes.size() ? &desk.frame->lanes[k] : nullptr;
-    const bool any = !c.total.empty();
-    number_cell(any ? quantity(c.total.back(), "J", 3) : "", nullptr);
-    number_cell(any ? quantity(c.total.back() - c.total.front(), "J", 2) : "", nullptr);
-    number_cell(any ? quantity(c.momentum.back(), "", 3) : "", nullptr);
-    number_cell(any ? quantity(mean(c.iterations), "", 2) : "", nullptr);
-    number_cell(any ? quantity(mean(c.wall_ms), "", 3) : "", nullptr);
-    const bool apart = frame && frame->distance && k > 0;
-    number_cell(apart    ? quantity(frame->distance->rms, "m", 3)
-                : k == 0 ? ""
-                         : "–",
-                apart || k == 0 ? nullptr : "It has other particles than lane 1.");
+    for (const Column* c : shown) number_cell(c->text(desk, k), nullptr);
   }
   ImGui::EndTable();
   if (removed < desk.lanes.size()) desk.remove(context, removed);
@@ -263,11 +273,11 @@ void draw_plot(AppContext& context, CompareDesk& desk) {
     ImGui::EndCombo();
   }
   Chart chart = time_chart(metrics[desk.metric].name, metrics[desk.metric].unit);
-  const bool apart = metrics[desk.metric].distance;
+  const bool apart = metrics[desk.metric].times == &LaneCurves::distance_time;
   for (std::size_t k = 0; k < desk.lanes.size() && k < desk.curves.size(); ++k) {
     const LaneCurves& c = desk.curves[k];
     if (apart && k == 0) continue;
-    add_series(chart, std::to_string(k + 1) + " " + desk.lanes[k].name, apart ? c.distance_time : c.time,
+    add_series(chart, std::to_string(k + 1) + " " + desk.lanes[k].name, c.*metrics[desk.metric].times,
                c.*metrics[desk.metric].values, k, Role::current);
   }
   PlotLook look;

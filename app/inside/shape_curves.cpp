@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -15,10 +16,26 @@
 
 namespace pf::app {
 
-double shape_value(const BasisInfo& basis, double s, long long node) {
+namespace {
+
+/// All weights at s: of the spline, or its means over the domain.
+void weights_over(const BasisInfo& basis, double s, double width, long long& base, double* N) {
+  std::array<double, max_nodes_per_axis> dN{};
+  basis.weights(s, base, N, dN.data());
+  if (!basis.averaged() || !(width > 0)) return;
+  const double t = s - static_cast<double>(base), w = std::min(width, 1.0);
+  const FourNumbers place{t, t, t, t}, widths{w, w, w, w};
+  std::array<FourNumbers, max_nodes_per_axis> mean{}, slope{};
+  basis.mean_four(place, widths, mean.data(), slope.data());
+  for (int r = 0; r < basis.nodes_per_axis; ++r) N[r] = mean[static_cast<std::size_t>(r)][0];
+}
+
+}  // namespace
+
+double shape_value(const BasisInfo& basis, double s, long long node, double width) {
   long long base = 0;
-  std::array<double, max_nodes_per_axis> N{}, dN{};
-  basis.weights(s, base, N.data(), dN.data());
+  std::array<double, max_nodes_per_axis> N{};
+  weights_over(basis, s, width, base, N.data());
   const long long r = node - base;
   return r >= 0 && r < basis.nodes_per_axis ? N[static_cast<std::size_t>(r)] : 0;
 }
@@ -27,8 +44,8 @@ void draw_shape_curves(Painter& painter, const ShapeCurves& c) {
   const ChartTheme look = c.theme == Theme::dark ? dark_theme() : light_theme();
   const int K = c.basis->nodes_per_axis;
   long long base = 0;
-  std::array<double, max_nodes_per_axis> N{}, dN{};
-  c.basis->weights(c.s, base, N.data(), dN.data());
+  std::array<double, max_nodes_per_axis> N{};
+  weights_over(*c.basis, c.s, c.width, base, N.data());
   const double low = static_cast<double>(base) - 0.5 * K, high = static_cast<double>(base) + 1.5 * K - 1;
   const std::array axis{c.place(low, 0), c.place(high, 0)};
   painter.polyline(axis, look.axis, 0.08F * c.em);
@@ -39,7 +56,7 @@ void draw_shape_curves(Painter& painter, const ShapeCurves& c) {
     for (int i = 0; i <= samples; ++i) {
       const double s = node + 0.5 * K * (2.0 * i / samples - 1);
       // At the ends of the support the next cell's formula would answer.
-      curve.push_back(c.place(s, i == 0 || i == samples ? 0 : shape_value(*c.basis, s, base + k)));
+      curve.push_back(c.place(s, i == 0 || i == samples ? 0 : shape_value(*c.basis, s, base + k, c.width)));
     }
     painter.polyline(curve, look.series[static_cast<std::size_t>(k)], 0.13F * c.em);
     painter.circle(c.place(node, 0), 0.2F * c.em, look.axis);
@@ -59,7 +76,7 @@ void draw_shape_curves(Painter& painter, const ShapeCurves& c) {
   }
 }
 
-void shape_plot(const AppContext& context, const Vec3& x) {
+void shape_plot(const AppContext& context, const Vec3& x, const Vec3& domain) {
   const BasisInfo* basis = find_basis(context.scene.grid.basis);
   if (basis == nullptr) return;
   const char* const names[] = {"x", "y", "z"};
@@ -71,6 +88,7 @@ void shape_plot(const AppContext& context, const Vec3& x) {
     ShapeCurves curves;
     curves.basis = basis;
     curves.s = x[a] / context.scene.grid.spacing;
+    curves.width = domain[a];
     curves.em = em();
     curves.theme = context.view.theme;
     long long base = 0;

@@ -72,13 +72,18 @@ Account account_of(const std::vector<StepReport>& reports) {
   return a;
 }
 
-bool any(const std::vector<double>& values) {
-  return std::any_of(values.begin(), values.end(), [](double v) { return v != 0; });
+double largest(const std::vector<double>& values) {
+  double most = 0;
+  for (const double v : values) most = std::max(most, std::abs(v));
+  return most;
 }
 
-/// Loads, mouse and edits are shown where there are some.
+/// Loads, mouse and edits are shown where there are some: more than the rounding of what else was summed.
 bool shown(const Account& a, std::size_t cause) {
-  return causes[cause].numeric || causes[cause].name == std::string_view("Walls and supports") || any(a.sums[cause]);
+  if (causes[cause].numeric || causes[cause].name == std::string_view("Walls and supports")) return true;
+  double all = largest(a.change);
+  for (const auto& sum : a.sums) all = std::max(all, largest(sum));
+  return largest(a.sums[cause]) > 1e-9 * all;
 }
 
 /// What the numerics made of it in all, against the most energy that the bodies had.

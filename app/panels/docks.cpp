@@ -79,6 +79,7 @@ void draw_open_panel(AppContext& context, const Panel& panel, float room) {
   ImGui::Unindent(em(0.25F));
   gap(0.75F);
   height = ImGui::GetCursorPosY();
+  ImGui::SetScrollX(0);  // what reaches a few pixels beyond the edge is no reason to move sideways
   ImGui::EndChild();
 }
 

@@ -1,4 +1,4 @@
-// Tools that change the scene: arrange what is there, draw bodies.
+// Tools that change the scene: arrange what is there, draw bodies, pin and push them.
 #pragma once
 
 #include "app/tools/tool.hpp"
@@ -6,6 +6,8 @@
 namespace pf::app {
 
 std::unique_ptr<Tool> make_arrange_tool();
+std::unique_ptr<Tool> make_pin_tool();
+std::unique_ptr<Tool> make_push_tool();
 std::unique_ptr<Tool> make_box_tool();
 std::unique_ptr<Tool> make_ball_tool();
 std::unique_ptr<Tool> make_polygon_tool();

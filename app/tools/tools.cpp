@@ -9,6 +9,13 @@ const std::vector<ToolInfo>& tools() {
       {"grab", "Grab",
        "Drag pulls the material, the wheel sets how much of it; a click selects a particle, with Ctrl a node.",
        make_grab_tool},
+      {"pin", "Pin",
+       "A click holds the material there fast, a click on a pin lets it go; hold the button and turn the wheel for a "
+       "larger one.",
+       make_pin_tool},
+      {"push", "Push",
+       "Drag: a ball as hard as a wall follows the mouse and pushes the material aside; the wheel sets its size.",
+       make_push_tool},
       {"arrange", "Arrange",
        "Selects bodies, walls, supports and loads; drag moves them, the round knob turns, the square one scales. In "
        "half "

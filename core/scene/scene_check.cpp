@@ -8,6 +8,7 @@
 #include "core/params/json_text.hpp"
 #include "core/params/nearest.hpp"
 #include "core/params/pointer.hpp"
+#include "core/scene/live_lists.hpp"
 #include "core/scene/tables.hpp"
 
 namespace pf {
@@ -125,8 +126,8 @@ bool apply_event(Reader& reader, const Event& event, Json& document) {
     std::string changed;
     if (!apply_edit(document, edit.pointer, Json(edit.value), problems, changed)) {
       for (Problem& problem : problems) reader.refuse(std::move(problem.found), std::move(problem.allowed));
-    } else if (edit.pointer == "/bodies/-") {
-      continue;  // it enters the running simulation
+    } else if (comes_or_goes_live(edit.pointer)) {
+      continue;  // it enters the running simulation, or leaves it
     } else if (!setting || setting->applies == Applies::reset) {
       reader.refuse("a change of " + edit.pointer + ", which applies only at a reset", "settings that apply live");
     }

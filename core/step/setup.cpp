@@ -151,17 +151,27 @@ bool extends(const std::vector<Body>& a, const std::vector<Body>& b) {
   return a.size() >= b.size() && std::equal(b.begin(), b.end(), a.begin());
 }
 
-/// Whether all that particles, surfaces, walls and the known motion were made from is the same; bodies may have come.
+/// Whether one list of walls is the beginning of the other.
+bool share_walls(const std::vector<Boundary>& a, const std::vector<Boundary>& b) {
+  const auto same = [](const Boundary& m, const Boundary& n) { return m.shape == n.shape && m.invert == n.invert; };
+  return std::equal(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(std::min(a.size(), b.size())), b.begin(), same);
+}
+
+/// Constraints come and go; those of a list that stays as long stay where they are.
+bool share_constraints(const std::vector<Constraint>& a, const std::vector<Constraint>& b) {
+  return a.size() != b.size() ||
+         alike(a, b, [](const Constraint& m, const Constraint& n) { return m.region == n.region; });
+}
+
+/// Whether all that particles, surfaces and the known motion were made from is the same; bodies may have come, the last
+/// walls and any constraints have come or gone.
 bool made_alike(const Scene& a, const Scene& b) {
   return a.dimension == b.dimension && a.constants == b.constants && a.grid.spacing == b.grid.spacing &&
          extends(a.bodies, b.bodies) && a.exact_position == b.exact_position && a.manufactured == b.manufactured &&
          a.probes == b.probes &&
          alike(a.materials, b.materials,
                [](const Material& m, const Material& n) { return m.name == n.name && m.density == n.density; }) &&
-         alike(a.boundaries, b.boundaries,
-               [](const Boundary& m, const Boundary& n) { return m.shape == n.shape && m.invert == n.invert; }) &&
-         alike(a.constraints, b.constraints,
-               [](const Constraint& m, const Constraint& n) { return m.region == n.region; }) &&
+         share_walls(a.boundaries, b.boundaries) && share_constraints(a.constraints, b.constraints) &&
          alike(a.loads, b.loads, [](const Load& m, const Load& n) { return m.body == n.body && m.region == n.region; });
 }
 
@@ -178,13 +188,18 @@ bool SimulationOf<D>::apply(const Scene& scene) {
   const bool walls = scene.boundaries != scene_.boundaries || scene.constraints != scene_.constraints;
   if (walls) {
     Conditions<D> changed(scene);
-    changed.displacement() = conditions_.displacement();
+    // New walls stand where they were put.
+    const std::vector<Vec<D>>& moved = conditions_.displacement();
+    std::copy_n(moved.begin(), std::min(moved.size(), changed.displacement().size()), changed.displacement().begin());
     changed.at(plan_, time_, scene.time.step);  // refuses contradictions while nothing has changed yet
     conditions_ = std::move(changed);
   }
   if (scene.loads != scene_.loads || scene.body_force != scene_.body_force) loads_.set_formulas(scene);
   const bool was_affine = transfer_->affine(),
              basis = scene.grid != scene_.grid || (walls && scene.grid.boundary_correction);
+  const bool looks = !alike(scene.boundaries, scene_.boundaries, [](const auto&, const auto&) { return true; }) ||
+                     !alike(scene.constraints, scene_.constraints,
+                            [](const Constraint& m, const Constraint& n) { return m.region == n.region; });
   const bool physics = scene.materials != scene_.materials || scene.gravity != scene_.gravity ||
                        scene.transfer != scene_.transfer || scene.integrator != scene_.integrator ||
                        scene.solver != scene_.solver;
@@ -200,8 +215,8 @@ bool SimulationOf<D>::apply(const Scene& scene) {
   }
   if (physics || other_control) make_settings();
   for (std::size_t k = bodies; k < scene.bodies.size(); ++k) add_body(k, coming[k - bodies]);
+  if (more || looks) view_ = std::make_shared<SceneView>(make_scene_view(scene_));
   if (more) {
-    view_ = std::make_shared<SceneView>(make_scene_view(scene_));
     plan_.set_domains(domain_edges());
     plan_.set_edges(edge_planes(scene_, particles_));
     build_plan_or_throw();

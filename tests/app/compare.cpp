@@ -80,8 +80,8 @@ TEST_CASE("keys drive all lanes in step, and what has no meaning for several is 
   CHECK(desk.frame->lanes[1].steps == 6);
   REQUIRE(desk.frame->lanes[1].distance);
   CHECK(desk.frame->lanes[1].distance->rms > 0);
-  CHECK(desk.curves[0].time.size() == 3);
-  CHECK(desk.curves[1].time.size() == 6);
+  CHECK(desk.curves[0].time.size() == 1 + 3);
+  CHECK(desk.curves[1].step_time.size() == 6);
   CHECK(desk.curves[1].rms.size() == 3);
   for (const Action action : {Action::step_back, Action::bad_step, Action::branch, Action::slow_step})
     CHECK_FALSE(stage->possible(action));
@@ -91,7 +91,7 @@ TEST_CASE("keys drive all lanes in step, and what has no meaning for several is 
   CHECK(stage.until([&] { return desk.status.state == CompareState::paused; }));
   stage->act(Action::reset);
   CHECK(stands(stage, 0));
-  CHECK(desk.curves[0].time.empty());
+  CHECK(desk.curves[0].step_time.empty());
 }
 
 TEST_CASE("an edit while comparing reaches all lanes, undo too, and the scene saved is the shared one") {

@@ -68,8 +68,8 @@ TEST_CASE("lanes meet at common times, and each is byte for byte what it is alon
     while (alone->time() < 0.07 - 1e-9) REQUIRE(alone->step().status == StepStatus::accepted);
     CHECK(bytes(*alone) == bytes(*lane.simulation));
   }
-  CHECK(lanes.lanes()[0].history.size() == 7);
-  CHECK(lanes.lanes()[1].history.size() == 28);
+  CHECK(lanes.lanes()[0].history.size() == 1 + 7);
+  CHECK(lanes.lanes()[1].history.size() == 1 + 28);
   go(lanes, 20);
   CHECK(lanes.finished());
   CHECK_FALSE(lanes.advance(nullptr));
@@ -87,7 +87,7 @@ TEST_CASE("common times are multiples of the longest step, as far apart as the s
   lanes.open(ball(), {{"a", {}}, {"b", {{"/time/step", 0.004}}}});
   go(lanes, 3);
   CHECK(lanes.lanes()[1].simulation->time() == doctest::Approx(0.03).epsilon(1e-12));
-  CHECK(lanes.lanes()[1].history.size() == 9);
+  CHECK(lanes.lanes()[1].history.size() == 1 + 9);
 }
 
 TEST_CASE("a lane that comes later catches up, one that goes leaves the others as they are") {
@@ -198,7 +198,7 @@ TEST_CASE("the thread plays, steps, edits and resets all lanes together") {
   const auto& colored = frame->lanes[1].snapshot->field[static_cast<std::size_t>(Field::error)];
   CHECK(colored.size() == frame->lanes[1].snapshot->particles);
   ComparisonNews news = comparison.news();
-  CHECK(news.samples.size() == 20 + 80 + 20);
+  CHECK(news.samples.size() == 21 + 81 + 21);
   CHECK(news.distances.size() == 60);
   comparison.reset();
   REQUIRE(wait_for([&] { return comparison.status().frame == 0; }));

@@ -1,0 +1,49 @@
+// What the tools that work on the material have in common: a brush of so many cells, and where it is.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/tools/tool.hpp"
+
+namespace pf::app {
+
+/// Its size means the same in every scene, and is kept from stroke to stroke.
+class Brush {
+ public:
+  explicit Brush(double cells) : cells_(cells) {}
+  double radius(const Snapshot& s) const { return cells_ * s.spacing; }
+  void turn(float notches) {
+    constexpr double least = 1, most = 40;
+    cells_ = std::clamp(cells_ * std::pow(1.15, static_cast<double>(notches)), least, most);
+  }
+  /// A dark line under a light one shows on every colour.
+  void draw(Painter& painter, const ViewMap& map, const Snapshot& s, const Vec3& at, float strength) const {
+    const auto centre = map.to_pixel(at);
+    if (!centre) return;
+    const auto r = static_cast<float>(radius(s) / map.metres_per_pixel(at));
+    painter.ring(*centre, r, {0, 0, 0, 0.45F * strength}, 0.22F * map.em());
+    painter.ring(*centre, r, {1, 1, 1, 0.9F * strength}, 0.1F * map.em());
+  }
+
+ private:
+  double cells_;
+};
+
+/// The point of the material under the mouse: in 2D the mouse's own, in 3D the particle's. Nothing beside it.
+inline std::optional<Vec3> touched(const ViewMouse& mouse, const AppContext& context) {
+  if (!context.snapshot || !mouse.particle || *mouse.particle >= context.snapshot->particles) return std::nullopt;
+  if (mouse.dimension == 2) return mouse.origin;
+  const std::size_t p = 3 * *mouse.particle;
+  const auto& x = context.snapshot->x;
+  return Vec3(x[p], x[p + 1], x[p + 2]);
+}
+
+inline nlohmann::json ball_json(const Vec3& centre, double radius, int dimension) {
+  nlohmann::json at = nlohmann::json::array();
+  for (int k = 0; k < dimension; ++k) at.push_back(centre[k]);
+  return {{"type", "ball"}, {"center", at}, {"radius", radius}};
+}
+
+}  // namespace pf::app

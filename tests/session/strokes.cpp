@@ -1,0 +1,174 @@
+// What hands do to a running simulation: pins and pushes act at once, are taken back, replay and rewind to the byte.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <sstream>
+#include <thread>
+
+#include "app/session.hpp"
+#include "core/runner.hpp"
+#include "core/scene/scene_io.hpp"
+#include "core/simulation.hpp"
+
+using namespace pf;
+using namespace pf::app;
+using namespace std::chrono_literals;
+
+namespace {
+
+std::string text_of(int dimension) {
+  const bool flat = dimension == 2;
+  return std::string(R"({"dimension": )") + (flat ? "2" : "3") + R"(, "gravity": [0, -9.81)" + (flat ? "" : ", 0") +
+         R"(], "grid": {"spacing": 0.1}, "time": {"end": 1, "step": 0.01},
+    "materials": {"rubber": {"model": "neo_hookean", "density": 1000, "young": 1e5, "poisson": 0.3},
+                  "steel": {"model": "hencky", "density": 2000, "young": 1e6, "poisson": 0.2}},
+    "bodies": [{"name": "box", "material": "rubber", "shape": {"type": "box", "min": )" +
+         (flat ? "[0, 0], \"max\": [0.8, 0.4]" : "[0, 0, 0], \"max\": [0.6, 0.3, 0.3]") + R"(}}]})";
+}
+
+std::string state_of(const Simulation& simulation) {
+  std::ostringstream out;
+  simulation.save_state(out);
+  return std::move(out).str();
+}
+
+/// A session whose simulation the test may look at while its worker is idle.
+struct Live {
+  Simulation* simulation = nullptr;
+  Session session{1, [this](const Scene& of, const SimulationOptions& options) {
+                    auto made = make_simulation(of, options);
+                    simulation = made.get();
+                    return made;
+                  }};
+  Scene scene;
+
+  explicit Live(const Scene& start) : scene(start) {
+    session.open(scene, false);
+    wait([](const SessionStatus& s) { return s.state == RunState::paused; });
+  }
+  void wait(auto condition) {
+    for (int i = 0; i < 300000 && !condition(session.status()); ++i) std::this_thread::sleep_for(100us);
+    REQUIRE(condition(session.status()));
+  }
+  void steps(long count) {
+    for (long i = 0; i < count; ++i) {
+      const long step = session.status().step;
+      session.step_once();
+      wait([=](const SessionStatus& s) { return s.step == step + 1 && !s.step_in_flight; });
+    }
+  }
+  void send(const Scene& next) {
+    session.edit(next);
+    wait([](const SessionStatus& s) { return s.edit.applies_at_step < 0; });
+    CHECK_FALSE(session.status().edit.needs_reset);
+  }
+  void edit(const std::vector<Edit>& edits) { send(scene = edited(scene, edits)); }
+  void go_to(long step) {
+    session.go_to(step);
+    wait([=](const SessionStatus& s) { return s.step == step && s.target < 0; });
+    session.pause();  // answered once the worker is idle
+    std::this_thread::sleep_for(5ms);
+  }
+
+  /// The record, run without a window, ends in the same bytes; so does going back and forward again.
+  void check_replay() {
+    const long end = session.status().step;
+    const std::string bytes = state_of(*simulation);
+    const std::string saved = scene_text(session.recorded());
+    const auto again = make_simulation(parse_scene(saved, "record"));
+    Runner runner(*again);
+    runner.run({.steps = end});
+    CHECK(state_of(*again) == bytes);
+    for (const long back : {end / 2, 1L}) {
+      go_to(back);
+      go_to(end);
+      CHECK(state_of(*simulation) == bytes);
+    }
+  }
+};
+
+nlohmann::json ball(const std::vector<double>& centre, double radius) {
+  return {{"type", "ball"}, {"center", centre}, {"radius", radius}};
+}
+
+Vec3 mean(const Simulation& simulation) {
+  Vec3 sum = Vec3::Zero();
+  double mass = 0;
+  for (const ParticleState& p : simulation.particles()) sum += p.mass * p.x, mass += p.mass;
+  return sum / mass;
+}
+
+}  // namespace
+
+TEST_CASE("a pin holds the material at once, and lets it go again") {
+  for (const int d : {2, 3}) {
+    CAPTURE(d);
+    Live live(parse_scene(text_of(d), "test"));
+    live.steps(5);
+    const auto corner = [&] {
+      const ParticleState first = live.simulation->particle(0);
+      return first.x;
+    };
+    const Vec3 at = corner();
+    std::vector<double> centre{at.x(), at.y(), at.z()};
+    centre.resize(static_cast<std::size_t>(d));
+    const std::vector<bool> fix(static_cast<std::size_t>(d), true);
+    live.edit({{"/constraints/-", {{"region", ball(centre, 0.2)}, {"fix", fix}}}});
+    CHECK(live.session.snapshot()->scene->regions.size() == 1);
+    live.steps(12);
+    CHECK((corner() - at).norm() < 0.02);                                    // held
+    CHECK(mean(*live.simulation).y() < -0.01 + 0.5 * (d == 2 ? 0.4 : 0.3));  // the rest hangs
+    live.edit({{"/constraints", nlohmann::json::array()}});
+    CHECK(live.session.snapshot()->scene->regions.empty());
+    const double before = live.simulation->report().balance.momentum.y();
+    live.steps(6);
+    // It falls freely again.
+    CHECK(live.simulation->report().balance.momentum.y() - before ==
+          doctest::Approx(-9.81 * 0.06 * live.simulation->mass()).epsilon(1e-6));
+    live.check_replay();
+  }
+}
+
+TEST_CASE("a ball pushes the material aside, leaves no trace in the scene, and replays") {
+  for (const int d : {2, 3}) {
+    CAPTURE(d);
+    Scene start = parse_scene(text_of(d), "test", std::vector<Edit>{{"/gravity/1", 0}});
+    Live live(start);
+    live.steps(2);
+    std::vector<double> centre{-0.25, 0.2, 0.15}, right{2.0, 0, 0}, none{0, 0, 0};
+    for (auto* v : {&centre, &right, &none}) v->resize(static_cast<std::size_t>(d));
+    Scene pushing =
+        edited(start, std::vector<Edit>{{"/boundaries/-", {{"shape", ball(centre, 0.2)}, {"contact", "separate"}}}});
+    live.send(pushing);
+    CHECK(live.session.snapshot()->boundary_displacement.size() == 1);
+    live.steps(2);
+    CHECK(live.simulation->report().balance.momentum.norm() < 1e-9);
+    pushing = edited(pushing, std::vector<Edit>{{"/boundaries/0/velocity", right}});
+    live.send(pushing);
+    live.steps(10);
+    CHECK(live.session.snapshot()->boundary_displacement[0].x() == doctest::Approx(0.2));
+    CHECK(live.simulation->report().balance.momentum.x() > 0);
+    const Vec3 pushed = live.simulation->report().balance.momentum;
+    live.send(start);  // the ball goes
+    CHECK(live.session.snapshot()->boundary_displacement.empty());
+    live.steps(3);
+    // Nothing pushes any more.
+    CHECK((live.simulation->report().balance.momentum - pushed).norm() < 1e-6 * pushed.norm());
+    live.check_replay();
+  }
+}
+
+TEST_CASE("a wall from the middle of the list waits for the reset") {
+  Scene start = parse_scene(text_of(2), "test");
+  const nlohmann::json floor{{"shape", {{"type", "half_space"}, {"point", {0, -1}}, {"normal", {0, 1}}}}};
+  const nlohmann::json wall{{"shape", {{"type", "half_space"}, {"point", {2, 0}}, {"normal", {-1, 0}}}}};
+  start = edited(start, std::vector<Edit>{{"/boundaries/-", floor}, {"/boundaries/-", wall}});
+  Live live(start);
+  live.steps(2);
+  Scene next = start;
+  next.boundaries.erase(next.boundaries.begin());
+  live.session.edit(next);
+  live.wait([](const SessionStatus& s) { return s.edit.applies_at_step < 0; });
+  CHECK(live.session.status().edit.needs_reset);
+  CHECK(live.simulation->scene().boundaries.size() == 2);
+}
