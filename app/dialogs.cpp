@@ -166,6 +166,8 @@ void Workbench::draw_help() {
       row("Wheel while dragging", "Radius of the grab");
       row("Click", "Select a particle");
       row("Ctrl+click", "Select a node of the grid");
+      row("Click with Pin", "Hold the material, let it go");
+      row("Drag with Push", "A ball pushes it aside");
       row("Left drag beside it", "2D: move, 3D: turn");
       row("Right drag", "2D: move, 3D: turn");
       row("Middle drag", "Move");

@@ -52,10 +52,6 @@ void draw_head(Painter& painter, const LaneFrame& lane, std::size_t index, Theme
                bool detailed) {
   constexpr float em = base_em;
   const ChartTheme colors = theme == Theme::dark ? dark_theme() : light_theme();
-  const Point2 centre{corner.x + 1.3F * em, corner.y + 1.35F * em};
-  painter.circle(centre, 0.72F * em, colors.series[index]);
-  painter.text({centre.x, centre.y + 0.36F * em}, std::to_string(index + 1), em,
-               theme == Theme::dark ? Color{0, 0, 0, 1} : Color{1, 1, 1, 1}, TextAlign::centre, FontWeight::bold);
   const float left = corner.x + 2.5F * em, room = width - 3.2F * em;
   const std::string name = fitted(painter, lane.name, em, room);
   const std::string words = detailed ? fitted(painter, distance_words(lane, index), 0.85F * em, room) : "";
@@ -64,6 +60,10 @@ void draw_head(Painter& painter, const LaneFrame& lane, std::size_t index, Theme
   back.a = 0.8F;
   painter.rectangle({corner.x + 0.3F * em, corner.y + 0.35F * em},
                     {left + wide + 0.5F * em, corner.y + (detailed ? 2.85F : 2.35F) * em}, back, 0.4F * em);
+  const Point2 centre{corner.x + 1.3F * em, corner.y + 1.35F * em};
+  painter.circle(centre, 0.72F * em, colors.series[index]);
+  painter.text({centre.x, centre.y + 0.36F * em}, std::to_string(index + 1), em,
+               theme == Theme::dark ? Color{0, 0, 0, 1} : Color{1, 1, 1, 1}, TextAlign::centre, FontWeight::bold);
   painter.text({left, corner.y + (detailed ? 1.3F : 1.7F) * em}, name, em, text_color(theme), TextAlign::left,
                FontWeight::bold);
   if (detailed)

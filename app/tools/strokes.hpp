@@ -33,10 +33,17 @@ class Brush {
 
 /// The point of the material under the mouse: in 2D the mouse's own, in 3D the particle's. Nothing beside it.
 inline std::optional<Vec3> touched(const ViewMouse& mouse, const AppContext& context) {
-  if (!context.snapshot || !mouse.particle || *mouse.particle >= context.snapshot->particles) return std::nullopt;
-  if (mouse.dimension == 2) return mouse.origin;
+  if (!context.snapshot) return std::nullopt;
+  const Snapshot& s = *context.snapshot;
+  const auto& x = s.x;
+  if (mouse.dimension == 2) {
+    const double reach = 0.75 * s.spacing;  // of one particle: between particles is material, too
+    for (std::size_t k = 0; k < s.particles; ++k)
+      if (std::hypot(x[2 * k] - mouse.origin.x(), x[2 * k + 1] - mouse.origin.y()) < reach) return mouse.origin;
+    return std::nullopt;
+  }
+  if (!mouse.particle || *mouse.particle >= s.particles) return std::nullopt;
   const std::size_t p = 3 * *mouse.particle;
-  const auto& x = context.snapshot->x;
   return Vec3(x[p], x[p + 1], x[p + 2]);
 }
 
