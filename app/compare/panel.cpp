@@ -123,12 +123,13 @@ void draw_next(AppContext& context, CompareDesk& desk) {
     first = false;
     tooltip(setting_title(context.scene, p.pointer) + " changed, all else as it is.");
   }
-  const float width = std::min(em(12), 0.45F * room);
+  const bool one_line = room > em(24);
+  const float width = one_line ? std::min(em(12), 0.45F * room) : room;
   ImGui::SetNextItemWidth(width);
   choose_setting(context, desk);
   if (!desk.pointer.empty()) {
-    ImGui::SameLine(0, em(0.4F));
-    ImGui::SetNextItemWidth(std::min(em(8), 0.3F * room));
+    if (one_line) ImGui::SameLine(0, em(0.4F));
+    ImGui::SetNextItemWidth(std::min(em(8), one_line ? 0.3F * room : 0.5F * room));
     choose_value(context, desk);
   }
   if (desk.lanes.size() > 2 || desk.from > 0) {
