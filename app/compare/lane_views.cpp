@@ -90,9 +90,11 @@ std::vector<Rect> lane_cells(const Rect& view, std::size_t lanes, float aspect) 
   const float height =
       std::floor((view.height - gap_between * static_cast<float>(rows - 1)) / static_cast<float>(rows));
   std::vector<Rect> cells;
-  for (std::size_t k = 0; k < lanes; ++k)
-    cells.push_back({view.x + static_cast<float>(k % best) * (width + gap_between),
-                     view.y + static_cast<float>(k / best) * (height + gap_between), width, height});
+  for (std::size_t k = 0; k < lanes; ++k) {
+    const std::size_t row = k / best, column = k % best;
+    cells.push_back({view.x + static_cast<float>(column) * (width + gap_between),
+                     view.y + static_cast<float>(row) * (height + gap_between), width, height});
+  }
   return cells;
 }
 

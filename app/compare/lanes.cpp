@@ -85,6 +85,7 @@ void LaneSet::start(Lane& lane) const {
 
 void LaneSet::open(const Scene& base, const std::vector<LaneSpec>& specs) {
   std::vector<Lane> fresh;
+  fresh.reserve(specs.size());
   for (const LaneSpec& spec : specs) fresh.push_back(made(base, spec));
   check_memory(fresh);
   lanes_ = std::move(fresh);
