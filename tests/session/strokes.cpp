@@ -58,8 +58,10 @@ struct Live {
     }
   }
   void send(const Scene& next) {
+    const auto before = session.snapshot();
     session.edit(next);
-    wait([](const SessionStatus& s) { return s.edit.applies_at_step < 0; });
+    // The picture comes after the word that the edit has been applied.
+    wait([&](const SessionStatus& s) { return s.edit.applies_at_step < 0 && session.snapshot() != before; });
     CHECK_FALSE(session.status().edit.needs_reset);
   }
   void edit(const std::vector<Edit>& edits) { send(scene = edited(scene, edits)); }
