@@ -34,22 +34,22 @@ struct Parsed {
   RunOptions run;
   BenchOptions bench;
   CompareOptions compare;
+  ChartOptions chart;
   StudyRunOptions study;
   VerifyOptions verify;
-  std::string images;
+  std::string images, chart_size;
   bool version = false, reset_settings = false;
 };
 
 // "1280x800"; throws CLI::ValidationError.
-PictureSize parse_size(const std::string& text) {
+PictureSize parse_size(const std::string& text, const char* option) {
   PictureSize size;
   int used = 0;
   constexpr int least = 16, most = 16384;
   if (std::sscanf(text.c_str(), "%dx%d%n", &size.width, &size.height, &used) != 2 ||
       used != static_cast<int>(text.size()) || std::min(size.width, size.height) < least ||
       std::max(size.width, size.height) > most)
-    throw CLI::ValidationError("--images",
-                               "found \"" + text + "\"; allowed: WIDTHxHEIGHT, each from 16 to 16384 pixels");
+    throw CLI::ValidationError(option, "found \"" + text + "\"; allowed: WIDTHxHEIGHT, each from 16 to 16384 pixels");
   return size;
 }
 
@@ -206,6 +206,38 @@ void add_compare(CLI::App& app, CompareOptions& compare) {
       "the tolerance; 1 above it; 2 bad input; 4 a file could not be read.");
 }
 
+void add_chart(CLI::App& app, Parsed& parsed) {
+  TableChart& chart = parsed.chart.chart;
+  CLI::App* command = app.add_subcommand("chart", "columns of CSV files against each other, as a picture");
+  command->add_option("TABLE", chart.tables, "CSV files with a header, or folders that run --out wrote")->required();
+  command->add_option("--x", chart.x, "column of the horizontal axis; default time")
+      ->default_val("time")
+      ->type_name("COLUMN");
+  command->add_option("--y", chart.y, "columns of the vertical axis, separated by commas")
+      ->required()
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("COLUMN[,COLUMN]");
+  command->add_option("--lines", chart.lines, "a line for each value of this column")->type_name("COLUMN");
+  command->add_option("--out", parsed.chart.out, "the picture, or the points")
+      ->required()
+      ->type_name("FILE.svg|png|csv");
+  command->add_flag("--log-x", chart.log_x, "logarithmic");
+  command->add_flag("--log-y", chart.log_y, "logarithmic");
+  command->add_option("--title", chart.title, "above the chart");
+  command->add_option("--subtitle", chart.subtitle, "below the title");
+  command->add_option("--x-title", chart.x_title, "of the axis, for instance \"CPU time [s]\"");
+  command->add_option("--y-title", chart.y_title, "of the axis");
+  command->add_option("--slope", chart.slopes, "a triangle of this slope; may be repeated; wants both axes logarithmic")
+      ->allow_extra_args(false)
+      ->type_name("P");
+  command->add_flag("--pareto", chart.pareto, "ring the points that no other beats in both x and y");
+  command->add_option("--size", parsed.chart_size, "default 820x500; a PNG has twice as many pixels")->type_name("WxH");
+  command->add_flag("--dark", parsed.chart.dark, "light on dark");
+  command->footer(
+      "pushforward run welcome --out out && pushforward chart out --y kinetic_energy,elastic_energy --out energy.svg");
+}
+
 void add_commands(CLI::App& app, Parsed& parsed) {
   app.add_option("SCENE", parsed.scene, "scene file, or the name of a shipped scene");
   add_sets(app, parsed.sets);
@@ -222,6 +254,7 @@ void add_commands(CLI::App& app, Parsed& parsed) {
   add_study(app, parsed.study);
   add_verify(app, parsed.verify);
   add_compare(app, parsed.compare);
+  add_chart(app, parsed);
   CLI::App* list = app.add_subcommand("list", "names that a scene may use, one first on each line");
   list->add_option("KIND", parsed.kind, "what to list")->required()->check(one_of(list_kinds()));
   app.add_subcommand("schema", "JSON Schema of the scene file");
@@ -282,13 +315,17 @@ bool is_unknown_command(const CLI::App& app, const std::string& scene) {
 
 int dispatch(CLI::App& app, Parsed& parsed) {
   if (app.got_subcommand("run")) {
-    if (!parsed.images.empty()) parsed.run.images = parse_size(parsed.images);
+    if (!parsed.images.empty()) parsed.run.images = parse_size(parsed.images, "--images");
     return run_scene(parsed.run);
   }
   if (app.got_subcommand("check")) return check_scenes(parsed.files);
   if (app.got_subcommand("study")) return run_studies(parsed.study);
   if (app.got_subcommand("verify")) return verify(parsed.verify);
   if (app.got_subcommand("compare")) return compare_folders(parsed.compare);
+  if (app.got_subcommand("chart")) {
+    if (!parsed.chart_size.empty()) parsed.chart.size = parse_size(parsed.chart_size, "--size");
+    return chart_tables(parsed.chart);
+  }
   if (app.got_subcommand("list")) return list_names(parsed.kind);
   if (app.got_subcommand("schema")) return print_schema();
   if (app.got_subcommand("bench")) return run_bench(parsed.bench);

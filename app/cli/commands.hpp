@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/scene/scene.hpp"
+#include "core/studies/table_chart.hpp"
 
 namespace pf::app {
 
@@ -54,6 +55,13 @@ struct CompareOptions {
   double tolerance = 0;  ///< of the largest relative difference
 };
 
+struct ChartOptions {
+  TableChart chart;
+  std::filesystem::path out;   ///< .svg, .png or .csv
+  PictureSize size{820, 500};  ///< a PNG has twice as many pixels
+  bool dark = false;
+};
+
 struct StudyRunOptions {
   std::vector<std::string> studies;  ///< files, or names of shipped studies
   std::filesystem::path out;         ///< with several studies, each gets a folder of its name in it
@@ -77,6 +85,7 @@ int check_scenes(const std::vector<std::string>& files);
 int run_studies(const StudyRunOptions& options);
 int verify(const VerifyOptions& options);
 int compare_folders(const CompareOptions& options);
+int chart_tables(const ChartOptions& options);
 int list_names(const std::string& kind);
 int print_schema();
 int run_bench(const BenchOptions& options);

@@ -3,6 +3,8 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "core/output/csv_table.hpp"
+
 namespace pf {
 
 namespace {
@@ -19,14 +21,6 @@ void add(std::string& row, long value) {
 
 OutputFile::Mode mode(const std::optional<long>& kept_step) {
   return kept_step ? OutputFile::Mode::append : OutputFile::Mode::replace;
-}
-
-// Probe names are the user's: quoted where a comma, a quote or a line's end would break the row (RFC 4180).
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
 }
 
 }  // namespace
@@ -116,7 +110,7 @@ void ProbesWriter::on_state(const Simulation& simulation) {
   std::string rows;
   for (const ProbeReading& reading : simulation.probes()) {
     append_number(rows, simulation.time());
-    rows += ',' + csv_field(scene.probes[reading.probe].name);
+    rows += ',' + csv_cell(scene.probes[reading.probe].name);
     for (const Vec3* vector : {&reading.x, &reading.v})
       for (int a = 0; a < scene.dimension; ++a) add(rows, (*vector)[a]);
     const Mat3& s = reading.sigma;

@@ -8,9 +8,13 @@
 namespace pf {
 
 template <int D>
-void free_diagonal(const LinearProblem<D>& problem, std::vector<Mat<D>>& blocks) {
+void whole_diagonal(const LinearProblem<D>& problem, std::vector<Mat<D>>& blocks) {
   blocks.assign(static_cast<std::size_t>(problem.g.size() / D), Mat<D>::Zero());
   problem.objective.diagonal(blocks);
+}
+
+template <int D>
+void restrict_diagonal(const LinearProblem<D>& problem, std::vector<Mat<D>>& blocks) {
   for (std::size_t i = 0; i < problem.directions.size(); ++i) {
     Mat<D>& B = blocks[static_cast<std::size_t>(problem.set.constrained[i].node)];
     const Mat<D>& Q = problem.directions[i];
@@ -34,7 +38,10 @@ void invert_diagonal(std::vector<Mat<D>>& blocks) {
 
 template <int D>
 void BlockJacobi<D>::prepare(const LinearProblem<D>& problem) {
-  free_diagonal(problem, inverse_);
+  if (!problem.same_hessian || whole_.size() * D != static_cast<std::size_t>(problem.g.size()))
+    whole_diagonal(problem, whole_);
+  inverse_ = whole_;
+  restrict_diagonal(problem, inverse_);
   invert_diagonal<D>(inverse_);
   this->work_.operations += 2 * D * D * D * inverse_.size();
 }
@@ -49,8 +56,10 @@ void BlockJacobi<D>::apply(const LinearProblem<D>& problem, const Vector& r, Vec
   this->work_.operations += D * D * inverse_.size();
 }
 
-template void free_diagonal<2>(const LinearProblem<2>&, std::vector<Mat<2>>&);
-template void free_diagonal<3>(const LinearProblem<3>&, std::vector<Mat<3>>&);
+template void whole_diagonal<2>(const LinearProblem<2>&, std::vector<Mat<2>>&);
+template void whole_diagonal<3>(const LinearProblem<3>&, std::vector<Mat<3>>&);
+template void restrict_diagonal<2>(const LinearProblem<2>&, std::vector<Mat<2>>&);
+template void restrict_diagonal<3>(const LinearProblem<3>&, std::vector<Mat<3>>&);
 template void invert_diagonal<2>(std::vector<Mat<2>>&);
 template void invert_diagonal<3>(std::vector<Mat<3>>&);
 template class BlockJacobi<2>;

@@ -10,10 +10,12 @@ namespace pf {
 template <int D>
 void invert_diagonal(std::vector<Mat<D>>& blocks);
 
-/// The diagonal blocks of H as the free directions see them: Q B Q + (I - Q) t on constrained nodes, t the block's own
-/// size.
+/// The diagonal blocks of H.
 template <int D>
-void free_diagonal(const LinearProblem<D>& problem, std::vector<Mat<D>>& blocks);
+void whole_diagonal(const LinearProblem<D>& problem, std::vector<Mat<D>>& blocks);
+/// They as the free directions see them: Q B Q + (I - Q) t on constrained nodes, t the block's own size.
+template <int D>
+void restrict_diagonal(const LinearProblem<D>& problem, std::vector<Mat<D>>& blocks);
 
 template <int D>
 class BlockJacobi final : public Preconditioner<D> {
@@ -25,7 +27,7 @@ class BlockJacobi final : public Preconditioner<D> {
 
  private:
   Parallel& parallel_;
-  std::vector<Mat<D>> inverse_;
+  std::vector<Mat<D>> whole_, inverse_;
 };
 
 }  // namespace pf

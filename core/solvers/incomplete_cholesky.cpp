@@ -19,7 +19,8 @@ void IncompleteCholesky<D>::prepare(const LinearProblem<D>& problem) {
     this->work_.operations += 10 * n * n;
   }
   if (factors_.info() == Eigen::Success) return;
-  free_diagonal(problem, fallback_);
+  whole_diagonal(problem, fallback_);
+  restrict_diagonal(problem, fallback_);
   invert_diagonal<D>(fallback_);
 }
 

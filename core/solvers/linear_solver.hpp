@@ -22,6 +22,7 @@ struct LinearProblem {
   const Vector& g;                        ///< restricted to the directions
   double tolerance;                       ///< relative, in the preconditioner's norm; a direct solver ignores it
   const std::atomic<bool>* cancel;
+  bool same_hessian = false;  ///< as in the last solve: only directions and g have changed
 };
 
 struct LinearResult {

@@ -58,6 +58,7 @@ class Minimiser {
   ActiveSet<D>& active_ = vectors_.active;
   std::vector<Mat<D>>& blocks_ = vectors_.blocks;
   bool have_tau_ = false;
+  bool unsettled_ = false;  ///< the last step met faces that were not active
   double E_ = 0, residual_ = 0, norm_ = 0, previous_norm_ = 0;
   bool project_ = false;
   double norm_when_projected_ = 0;
@@ -106,11 +107,13 @@ void Minimiser<D>::measure_stiffness() {
 
 template <int D>
 double Minimiser<D>::forcing() const {
-  // Eisenstat and Walker 1996, choice 2, never tighter than the tolerance needs.
-  double eta = 0.1;
+  // Eisenstat and Walker 1996, choice 2, never tighter than the tolerance needs. While faces come and go a solve is
+  // good for one set of them only.
+  const double most = unsettled_ ? 0.3 : 0.1;
+  double eta = most;
   if (previous_norm_ > 0) eta = std::min(eta, 0.9 * (norm_ / previous_norm_) * (norm_ / previous_norm_));
   const double needed = 0.1 * settings_.tolerance / std::max(residual_, 1e-300);
-  return std::clamp(std::max(eta, needed), 1e-10, 0.1);
+  return std::clamp(std::max(eta, needed), 1e-10, most);
 }
 
 template <int D>
@@ -124,8 +127,8 @@ LinearResult Minimiser<D>::solve_for_direction(NewtonIteration& record) {
     record.linear_iterations += solved.iterations;
     record.projected = project_;
     result_.linear_iterations += solved.iterations;
-    if (!solved.cancelled && !solved.negative_curvature && set_.crosses(u_, g_, d_, active_))
-      solved = meet_faces(record);
+    unsettled_ = !solved.cancelled && !solved.negative_curvature && set_.crosses(u_, g_, d_, active_);
+    if (unsettled_) solved = meet_faces(record);
     if (solved.cancelled || !solved.negative_curvature || project_) return solved;
     project_ = true;
     norm_when_projected_ = norm_;
@@ -138,7 +141,7 @@ LinearResult Minimiser<D>::solve_for_direction(NewtonIteration& record) {
 template <int D>
 LinearResult Minimiser<D>::meet_faces(NewtonIteration& record) {
   constexpr int most = 12;
-  double accuracy = 0.1;  // of a round's solve, relative to that of a plain Newton step: signs of reactions hang on it
+  double accuracy = 0.3;  // of a round's solve, relative to that of a plain Newton step: signs of reactions hang on it
   LinearResult solved;
   for (int round = 0; round < most; ++round) {
     model_g_.setZero(d_.size());
@@ -158,7 +161,8 @@ LinearResult Minimiser<D>::meet_faces(NewtonIteration& record) {
     set_.restrict_to(active_.directions, model_g_);
     const double left = objective_.norm(model_g_);
     const double tolerance = accuracy * forcing() * objective_.norm(free_g_) / std::max(left, 1e-300);
-    const LinearProblem<D> problem{objective_, set_, active_.directions, model_g_, std::min(0.5, tolerance), cancel_};
+    const LinearProblem<D> problem{objective_, set_, active_.directions, model_g_, std::min(0.5, tolerance),
+                                   cancel_,    true};
     solved = linear_.solve(problem, d_);
     record.linear_iterations += solved.iterations;
     result_.linear_iterations += solved.iterations;

@@ -3,6 +3,7 @@
 #include "core/params/setting.hpp"
 #include "core/scene/choices.hpp"
 #include "core/studies/study_charts.hpp"
+#include "core/studies/table_chart.hpp"
 
 namespace pf {
 
@@ -38,12 +39,8 @@ std::string value_label(const std::string& column, const nlohmann::json& value) 
 }
 
 std::pair<std::string, std::string> column_title(const Study& study, const std::string& column) {
-  for (const auto& [named, title] : study.titles) {
-    if (named != column) continue;
-    const std::size_t unit = title.rfind(" [");
-    if (unit == std::string::npos || !title.ends_with(']')) return {title, ""};
-    return {title.substr(0, unit), title.substr(unit + 2, title.size() - unit - 3)};
-  }
+  for (const auto& [named, title] : study.titles)
+    if (named == column) return split_unit(title);
   if (column == "cost") {
     const RowColumn* found = find_row_column(study.cost == "work" ? "work" : "wall_s");
     return {std::string(found->title), std::string(found->unit)};
