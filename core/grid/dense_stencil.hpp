@@ -23,7 +23,7 @@ struct Stencil<D, K, C, true> {
         const double* const row = u + edge * (j + edge * k) * C;
         for (int i = 0; i < K; ++i, ++n)
           for (int c = 0; c < C; ++c) {
-            const double node = row[i * C + c];
+            const Lane node = spread<Lane>(row[i * C + c]);
             if constexpr (Value) v[c] += N[n] * node;
             if constexpr (Gradient)
               for (int b = 0; b < D; ++b) g[c][b] += dN[b * values + n] * node;

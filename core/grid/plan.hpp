@@ -140,7 +140,8 @@ class Plan {
       basis_->four(t, w, w + n);
     else
       basis_->eight(t, w, w + n);
-    for (int k = n; k < 2 * n; ++k) w[k] *= inverse_spacing_;
+    const auto inverse = spread<Wide<W>>(inverse_spacing_);
+    for (int k = n; k < 2 * n; ++k) w[k] *= inverse;
   }
 
   const BasisInfo* basis_ = nullptr;

@@ -31,7 +31,7 @@ struct Stencil {
         for (int j = 0; j < K; ++j) {
           Lane r{}, rx{};
           for (int i = 0; i < K; ++i) {
-            const double node = u[(i + edge * (j + edge * k)) * C + c];
+            const Lane node = spread<Lane>(u[(i + edge * (j + edge * k)) * C + c]);
             r += N[i] * node;
             if constexpr (Gradient) rx += dN[i] * node;
           }

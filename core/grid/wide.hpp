@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include "core/math/spread.hpp"
+
 namespace pf {
 
 /// Particles handled together: a 2D cell usually holds 4, a 3D cell 8.
@@ -32,9 +34,19 @@ struct NarrowOf {
 };
 template <int W>
 using Narrow = typename NarrowOf<W>::type;
+
 template <int W>
-inline Wide<W> widen(const Narrow<W>& v) {
-  return __builtin_convertvector(v, Wide<W>);
+inline __attribute__((always_inline)) Wide<W> widen(const Narrow<W>& v) {
+  if constexpr (sizeof(Wide<W>) <= native_bytes) {
+    return __builtin_convertvector(v, Wide<W>);
+  } else {
+    Narrow<W / 2> half[2];
+    __builtin_memcpy(half, &v, sizeof v);
+    const Wide<W / 2> wide[2] = {widen<W / 2>(half[0]), widen<W / 2>(half[1])};
+    Wide<W> lanes;
+    __builtin_memcpy(&lanes, wide, sizeof lanes);
+    return lanes;
+  }
 }
 
 /// Sum over the lanes, always in the same order.

@@ -77,12 +77,12 @@ Square<T, D> NeoHookean::P(const Square<T, D>& F, T& psi_out) const {
   Square<T, D> A = cofactor(F), S = s.G;  // A = F^-T
   const T inverse_J = 1.0 / s.J, volumetric = lame.lambda * s.ln_J;
   for (T& entry : A.e) entry *= inverse_J;
-  for (T& entry : S.e) entry *= lame.mu;
+  const T mu = broadcast<T>(lame.mu);
+  for (T& entry : S.e) entry *= mu;
   for (int a = 0; a < D; ++a) S(a, a) += volumetric;
   Square<T, D> P = multiply(A, S);
   // At large strain F - F^-T loses less than F^-T G does.
-  for (int k = 0; k < D * D; ++k)
-    P.e[k] = select(s.small_strain, P.e[k], lame.mu * F.e[k] + (volumetric - lame.mu) * A.e[k]);
+  for (int k = 0; k < D * D; ++k) P.e[k] = select(s.small_strain, P.e[k], mu * F.e[k] + (volumetric - mu) * A.e[k]);
   return P;
 }
 
@@ -90,14 +90,15 @@ template <class T, int D>
 void NeoHookean::dP(const Square<T, D>& F, UpperTangent<T, D>& dP) const {
   const State<T, D> s = state(F);
   Square<T, D> A = cofactor(F);
-  const T inverse_J = 1.0 / s.J, swapped = lame.mu - lame.lambda * s.ln_J;
+  const T mu = broadcast<T>(lame.mu), lambda = broadcast<T>(lame.lambda);
+  const T inverse_J = 1.0 / s.J, swapped = mu - lambda * s.ln_J;
   for (T& entry : A.e) entry *= inverse_J;
   for (int column = 0; column < D * D; ++column) {
     for (int row = 0; row <= column; ++row) {
       const int a = row % D, B = row / D, b = column % D, C = column / D;
-      dP(row, column) = lame.lambda * (A(a, B) * A(b, C)) + swapped * (A(b, B) * A(a, C));
+      dP(row, column) = lambda * (A(a, B) * A(b, C)) + swapped * (A(b, B) * A(a, C));
     }
-    dP(column, column) += lame.mu;
+    dP(column, column) += mu;
   }
 }
 

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <type_traits>
 
+#include "core/math/spread.hpp"
+
 namespace pf {
 
 /// Eight doubles; element-wise + - * / and comparisons come with the compiler (GCC and clang vector
@@ -37,7 +39,7 @@ T select(const typename Lanes<T>::Mask& condition, const T& a, const T& b) {
 /// The same number in every lane.
 template <class T>
 T broadcast(double x) {
-  return T{} + x;
+  return spread<T>(x);
 }
 
 /// Whether a comparison holds in any lane.

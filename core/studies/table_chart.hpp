@@ -18,11 +18,11 @@ struct TableChart {
   std::string x_title = {}, y_title = {};  ///< "CPU time [s]"
   bool log_x = false, log_y = false;
   std::vector<double> slopes = {};  ///< of triangles
-  bool pareto = false;         ///< rings the points that no other beats in both x and y
+  bool pareto = false;              ///< rings the points that no other beats in both x and y
 };
 
-/// One line for each table, y and value of `lines`, points in the rows' order; a cell that is no number breaks the line.
-/// Throws FileError; InputError for a column that a table lacks (nearest named) and for one without any number.
+/// One line for each table, y and value of `lines`, points in the rows' order; a cell that is no number breaks the
+/// line. Throws FileError; InputError for a column that a table lacks (nearest named) and for one without any number.
 Chart table_chart(const TableChart& wanted);
 
 /// "CPU time [s]" as title and unit.

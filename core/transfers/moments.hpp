@@ -17,7 +17,9 @@ void node_distances(const Plan<D>& plan, const Particles<D>& particles, const Bl
   for (int a = 0; a < D; ++a, node /= edge)
     for (int r = 0; r < K; ++r)
       distance[a * K + r] =
-          plan.spacing() * static_cast<double>(block.corner[static_cast<std::size_t>(a)] + node % edge + r) - x[a];
+          spread<Wide<lane_count<D>>>(
+              plan.spacing() * static_cast<double>(block.corner[static_cast<std::size_t>(a)] + node % edge + r)) -
+          x[a];
 }
 
 /// N (x_i - x_p) in the place of grad N: of each axis, or with dense weights of each node, for each axis.
