@@ -5,8 +5,8 @@
 
 namespace pf {
 
-/// Bytes that one instruction works on. Longer vectors are taken apart by the compiler: well where they meet each other,
-/// number by number (GCC 12) where they meet a single one or are converted.
+/// Bytes that one instruction works on. Longer vectors are taken apart by the compiler: well where they meet each
+/// other, number by number (GCC 12) where they meet a single one or are converted.
 #if defined(__AVX512F__)
 inline constexpr std::size_t native_bytes = 64;
 #elif defined(__AVX__)

@@ -23,10 +23,12 @@ constexpr int most_direct_nodes = 30000;
 /// With fewer nodes multigrid has nothing to gain.
 constexpr int least_multigrid_nodes[] = {500, 4000};
 
-std::string text(const char* format, double value) {
+/// Replaces `to`, whose memory serves again.
+template <class... Values>
+void print(std::string& to, const char* format, Values... values) {
   char line[200];
-  std::snprintf(line, sizeof line, format, value);
-  return line;
+  std::snprintf(line, sizeof line, format, values...);
+  to = line;
 }
 
 }  // namespace
@@ -73,25 +75,29 @@ std::string SimulationOf<D>::automatic_solver(double dt) {
   const bool coarsens = plan_.node_count() >= least_multigrid_nodes[D - 2];
   const bool small = D == 2 && plan_.node_count() < most_direct_nodes;
   if (small && (solves_.solver == "direct" || std::min(jacobi, coarsens ? multigrid : jacobi) > worth_direct)) {
-    choice_reason_ = text("iterations would be more than %.0f a solve", worth_direct);
+    print(choice_reason_, "iterations would be more than %.0f a solve", worth_direct);
     return "direct";
   }
   if (solves_.solver == "pcg_multigrid" && coarsens) {
     const bool trial = solves_.steps >= steps_to_trial && (!counted || jacobi < hopeless * multigrid);
     if (!trial && multigrid < jacobi) {
-      choice_reason_ = text("a solve costs as much as %.0f iterations of block-Jacobi", multigrid) +
-                       text(counted ? ", which took %.0f" : ", of which about %.0f are expected", jacobi);
+      print(choice_reason_,
+            counted ? "a solve costs as much as %.0f iterations of block-Jacobi, which took %.0f"
+                    : "a solve costs as much as %.0f iterations of block-Jacobi, of which about %.0f are expected",
+            multigrid, jacobi);
       return solves_.solver;
     }
   } else if (coarsens && jacobi > gain * multigrid) {
-    choice_reason_ = text(counted ? "block-Jacobi took %.0f iterations a solve"
-                                  : "about %.0f iterations a solve of block-Jacobi are expected of waves this fast",
-                          jacobi);
+    print(choice_reason_,
+          counted ? "block-Jacobi took %.0f iterations a solve"
+                  : "about %.0f iterations a solve of block-Jacobi are expected of waves this fast",
+          jacobi);
     return "pcg_multigrid";
   }
-  choice_reason_ = text(counted ? "%.0f iterations a solve of block-Jacobi were counted"
-                                : "about %.0f iterations a solve of block-Jacobi are expected of waves this fast",
-                        jacobi);
+  print(choice_reason_,
+        counted ? "%.0f iterations a solve of block-Jacobi were counted"
+                : "about %.0f iterations a solve of block-Jacobi are expected of waves this fast",
+        jacobi);
   return "pcg_jacobi";
 }
 

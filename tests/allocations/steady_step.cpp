@@ -90,12 +90,13 @@ TEST_CASE("an explicit step allocates nothing") {
   }
 }
 
-TEST_CASE("an implicit step allocates the list of its Newton iterations, in contact too") {
+TEST_CASE("an implicit step allocates the list of its Newton iterations, in contact and with a chosen solver too") {
   for (const int dimension : {2, 3})
-    for (const bool contact : {false, true}) {
+    for (const auto& [contact, solver] : {std::pair(false, "pcg_jacobi"), {true, "pcg_jacobi"}, {false, "auto"}}) {
       CAPTURE(dimension);
       CAPTURE(contact);
-      test::Json scene = resting(dimension, "backward_euler", "pcg_jacobi");
+      CAPTURE(solver);
+      test::Json scene = resting(dimension, "backward_euler", solver);
       scene["gravity"] = dimension == 2 ? test::Json{0, -9.81} : test::Json{0, -9.81, 0};
       if (contact) scene["boundaries"] = test::Json::array({test::floor_at(dimension, 0.049)});
       const auto simulation = test::start(scene);
