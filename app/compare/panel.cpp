@@ -216,12 +216,12 @@ const std::array columns{
              return newest(d.curves[k].total, "J"); }},
     Column{"Change", "Of the total energy since the start.", 22, [](const CompareDesk& d, std::size_t k) {
              const auto& E = d.curves[k].total;
-             return E.empty() ? "" : quantity(E.back() - E.front(), "J", 2); }},
+             return E.empty() ? "" : quantity(E.back() - E.front(), "J", 3); }},
     Column{"|p|", "Size of the momentum [kg m/s].", 34, [](const CompareDesk& d, std::size_t k) {
              const auto& p = d.curves[k].momentum;
              return p.empty() ? "" : quantity(p.back(), "", 3); }},
     Column{"It.", "Newton iterations a step, on average.", 26, [](const CompareDesk& d, std::size_t k) {
-             return d.curves[k].iterations.empty() ? "" : quantity(mean(d.curves[k].iterations), "", 2); }},
+             return d.curves[k].iterations.empty() ? "" : quantity(mean(d.curves[k].iterations), "", 3); }},
     Column{"ms/step", "Wall time a step, on average; lanes are computed one after the other.", 0,
            [](const CompareDesk& d, std::size_t k) {
              return d.curves[k].wall_ms.empty() ? "" : quantity(mean(d.curves[k].wall_ms), "", 3); }},

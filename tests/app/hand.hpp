@@ -60,6 +60,22 @@ class Hand {
   GlfwWindow::Pointer at_{};
 };
 
+/// Where the window shows this place.
+inline Point2 at(Stage& stage, const Vec3& where) {
+  const auto pixel = stage->view().to_window(where);
+  REQUIRE(pixel);
+  return *pixel;
+}
+
+/// Turns the loop until the last edit has reached the simulation.
+inline bool applied(Stage& stage) {
+  stage.frames(1);
+  return stage.until([&] {
+    const SessionStatus& s = stage.context().status;
+    return s.edit.applies_at_step < 0 && s.state != RunState::loading && !s.step_in_flight;
+  });
+}
+
 /// Presses the key and turns the loop.
 inline void key(Stage& stage, Action action, int index = 0) {
   stage->act(action, index);

@@ -18,20 +18,6 @@ using namespace pf::app::staged;
 
 namespace {
 
-Point2 at(Stage& stage, const Vec3& where) {
-  const auto pixel = stage->view().to_window(where);
-  REQUIRE(pixel);
-  return *pixel;
-}
-
-bool applied(Stage& stage) {
-  stage.frames(1);
-  return stage.until([&] {
-    const SessionStatus& s = stage.context().status;
-    return s.edit.applies_at_step < 0 && s.state != RunState::loading && !s.step_in_flight;
-  });
-}
-
 void show_outline(Stage& stage) {
   int index = 0;
   for (const Panel& panel : panels()) {

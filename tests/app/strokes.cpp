@@ -9,20 +9,6 @@ using namespace pf::app::staged;
 
 namespace {
 
-Point2 at(Stage& stage, const Vec3& where) {
-  const auto pixel = stage->view().to_window(where);
-  REQUIRE(pixel);
-  return *pixel;
-}
-
-bool applied(Stage& stage) {
-  stage.frames(1);
-  return stage.until([&] {
-    const SessionStatus& s = stage.context().status;
-    return s.edit.applies_at_step < 0 && !s.step_in_flight;
-  });
-}
-
 Vec3 mean(const Snapshot& s) {
   Vec3 sum = Vec3::Zero();
   const auto d = static_cast<std::size_t>(s.dimension);

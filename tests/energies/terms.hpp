@@ -29,6 +29,20 @@ Vector gradient_of(Energy<D>& energy, const Vector& u) {
   return g;
 }
 
+/// Forces at x_i + u_i sum to nothing and, if the law is `objective`, turn nothing (about z).
+template <int D>
+void check_balance(const Plan<D>& plan, const Vector& u, const Vector& g, bool objective) {
+  Vec<D> force = Vec<D>::Zero();
+  double torque = 0;
+  for (int i = 0; i < plan.node_count(); ++i) {
+    const Vec<D> x = plan.node_position(i) + u.segment<D>(i * D), f = g.segment<D>(i * D);
+    force += f;
+    torque += x[0] * f[1] - x[1] * f[0];
+  }
+  CHECK(force.norm() < 1e-12 * g.template lpNorm<1>());
+  if (objective) CHECK(std::abs(torque) < 1e-12 * g.template lpNorm<1>());
+}
+
 /// Central differences with step h are off by O(h^2): a quarter at half the step, down to rounding: that of the
 /// differences, and `exactness`, that of what they are compared with.
 inline void check_second_order(double error, double half_error, double size, double h, double exactness = 0) {

@@ -2,12 +2,10 @@
 #include <doctest/doctest.h>
 
 #include <sstream>
-#include <thread>
 
-#include "app/session.hpp"
 #include "core/runner.hpp"
 #include "core/scene/scene_io.hpp"
-#include "core/simulation.hpp"
+#include "tests/session/watched.hpp"
 
 using namespace pf;
 using namespace pf::app;
@@ -33,25 +31,7 @@ std::string state_of(const Simulation& simulation) {
   return out.str();
 }
 
-/// Lets the test look at the simulation that the session's worker owns, while that is idle.
-struct Watched {
-  Simulation* simulation = nullptr;
-  Session session{1, [this](const Scene& scene, const SimulationOptions& options) {
-                    auto made = make_simulation(scene, options);
-                    simulation = made.get();
-                    return made;
-                  }};
-  void wait(auto condition) {
-    for (int i = 0; i < 300000 && !condition(session.status()); ++i) std::this_thread::sleep_for(100us);
-    REQUIRE(condition(session.status()));
-  }
-  void steps(long count) {
-    for (long i = 0; i < count; ++i) {
-      const long step = session.status().step;
-      session.step_once();
-      wait([=](const SessionStatus& s) { return s.step == step + 1 && !s.step_in_flight; });
-    }
-  }
+struct Edited : WatchedSession {
   void edit(const Scene& scene) {
     session.edit(scene);
     wait([](const SessionStatus& s) { return s.edit.applies_at_step < 0; });
@@ -62,7 +42,7 @@ struct Watched {
 
 TEST_CASE("a session edited live replays byte-equal from its record") {
   const Scene start = parse_scene(falling_ball, "test");
-  Watched live;
+  Edited live;
   live.session.open(start, false);
   live.wait([](const SessionStatus& s) { return s.state == RunState::paused; });
   live.steps(5);
@@ -89,7 +69,7 @@ TEST_CASE("a session edited live replays byte-equal from its record") {
 
 TEST_CASE("a pause in the middle of a step leaves no trace") {
   const Scene start = parse_scene(falling_ball, "test");
-  Watched live;
+  Edited live;
   live.session.set_rate(0);
   live.session.open(start, false);
   live.wait([](const SessionStatus& s) { return s.state == RunState::paused; });

@@ -3,12 +3,10 @@
 
 #include <cmath>
 #include <sstream>
-#include <thread>
 
-#include "app/session.hpp"
 #include "core/runner.hpp"
 #include "core/scene/scene_io.hpp"
-#include "core/simulation.hpp"
+#include "tests/session/watched.hpp"
 
 using namespace pf;
 using namespace pf::app;
@@ -32,30 +30,12 @@ std::string state_of(const Simulation& simulation) {
   return std::move(out).str();
 }
 
-/// A session whose simulation the test may look at while its worker is idle.
-struct Live {
-  Simulation* simulation = nullptr;
-  Session session{1, [this](const Scene& of, const SimulationOptions& options) {
-                    auto made = make_simulation(of, options);
-                    simulation = made.get();
-                    return made;
-                  }};
+struct Live : WatchedSession {
   Scene scene;
 
   explicit Live(const Scene& start) : scene(start) {
     session.open(scene, false);
     wait([](const SessionStatus& s) { return s.state == RunState::paused; });
-  }
-  void wait(auto condition) {
-    for (int i = 0; i < 300000 && !condition(session.status()); ++i) std::this_thread::sleep_for(100us);
-    REQUIRE(condition(session.status()));
-  }
-  void steps(long count) {
-    for (long i = 0; i < count; ++i) {
-      const long step = session.status().step;
-      session.step_once();
-      wait([=](const SessionStatus& s) { return s.step == step + 1 && !s.step_in_flight; });
-    }
   }
   void send(const Scene& next) {
     const auto before = session.snapshot();
