@@ -74,7 +74,8 @@ void draw_scalar(const OverlayInfo& info, const RenderTheme& theme, Painter& pai
   const int most = std::clamp(static_cast<int>(height / 34), 2, 7);
   const auto fit = [](const std::vector<Tick>&) { return true; };
   const TickSet ticks = linear_ticks(info.range.min, info.range.max, most, fit);
-  const std::string title = axis_title(std::string(field.label), std::string(field.unit), ticks.exponent);
+  const std::string title = axis_title(info.field_label.empty() ? std::string(field.label) : info.field_label,
+                                       std::string(field.unit), ticks.exponent);
   float labels = 0;
   for (const Tick& t : ticks.major) labels = std::max(labels, painter.text_width(t.label, text_size));
   // The title runs up beside the bar where it is short enough, else it lies above.

@@ -16,6 +16,7 @@ struct OverlayInfo {
   double dt = 0;    ///< [s]: decides how many decimals the clock shows; 0: unknown
   long step = -1;   ///< negative: not shown
   Field field = Field::speed;
+  std::string field_label;                  ///< where its values mean something else here; empty: the field's own
   ValueRange range;                         ///< Renderer::range()
   std::vector<std::string> material_names;  ///< key to the categorical colours
   Camera camera;

@@ -20,6 +20,9 @@ namespace {
 
 constexpr float gap_between = 2;  // pixels
 
+/// What the colours mean while lanes are coloured by it.
+constexpr const char* distance_label = "Distance from lane 1";
+
 std::string distance_words(const LaneFrame& lane, std::size_t index) {
   if (!lane.failure.empty()) return "stands still: " + lane.failure;
   if (index == 0) return "the others are measured against this one";
@@ -175,6 +178,7 @@ void LaneViews::draw_overlay(const AppContext& context, const CompareDesk& desk,
       OverlayInfo info =
           OverlayInfo::of(*lane.snapshot, views_[k]->renderer, options, camera, views_[k]->target->size());
       info.clock = false;
+      if (desk.difference) info.field_label = distance_label;
       info.scale_bar = info.axes = k == 0 && roomy(low, high);
       info.color_bar = high.x - low.x > 24 * base_em || (k + 1 == cells_.size() && roomy(low, high));
       pf::draw_overlay(info, options.theme, painter, low, high);
@@ -208,6 +212,7 @@ Image LaneViews::picture(const AppContext& context, const CompareDesk& desk, con
     Image part = target.read();
     OverlayInfo info = OverlayInfo::of(*lane.snapshot, views_[k]->renderer, options, closer, size);
     info.clock = k == 0;
+    if (desk.difference) info.field_label = distance_label;
     info.scale_bar = info.axes = k == 0;
     PngPainter painter(part, options.pixel_scale);
     const Point2 end{static_cast<float>(size.width) / options.pixel_scale,

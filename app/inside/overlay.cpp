@@ -45,6 +45,15 @@ void draw_stencil(Painter& painter, const ViewMap& map, const Vec3& x, const std
   mark_disc(painter, *centre, 0.28F * map.em(), mark_white);
 }
 
+/// What the step's own weights are known of: the particle that is looked at, where this picture shows it.
+const ParticleLook* looked_at(const AppContext& context, const Vec3& x) {
+  if (!context.looked || !context.looked->particle) return nullptr;
+  const ParticleLook& look = *context.looked->particle;
+  const bool here =
+      context.selected_particle == look.state.id && (look.state.x - x).norm() < 1e-9 * context.snapshot->spacing;
+  return here ? &look : nullptr;
+}
+
 /// 2D: the functions of each axis, below and to the left of the stencil, where its nodes are.
 void draw_curves(Painter& painter, const ViewMap& map, const Vec3& x, const std::vector<NodeWeight>& nodes,
                  const AppContext& context) {
@@ -61,6 +70,7 @@ void draw_curves(Painter& painter, const ViewMap& map, const Vec3& x, const std:
     ShapeCurves curves;
     curves.basis = basis;
     curves.s = x[a] / dx;
+    if (const ParticleLook* look = looked_at(context, x)) curves.domain = domain_along(context.scene, look->state, a);
     curves.em = 0.9F * em;
     curves.theme = context.view.theme;
     curves.values = false;
@@ -153,7 +163,8 @@ void draw_inside(Painter& painter, const ViewMap& map, const ViewMouse* mouse, c
   const BasisInfo* basis = find_basis(context.scene.grid.basis);
   const std::optional<Vec3> at = point_of_interest(mouse, context);
   if (at && basis != nullptr) {
-    const std::vector<NodeWeight> nodes = weights_at(*basis, s.spacing, s.dimension, *at);
+    const ParticleLook* look = looked_at(context, *at);
+    const std::vector<NodeWeight> nodes = look ? look->nodes : weights_at(*basis, s.spacing, s.dimension, *at);
     draw_stencil(painter, map, *at, nodes, s.spacing);
     if (s.dimension == 2) draw_curves(painter, map, *at, nodes, context);
   }

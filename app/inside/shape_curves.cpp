@@ -19,23 +19,48 @@ namespace pf::app {
 namespace {
 
 /// All weights at s: of the spline, or its means over the domain.
-void weights_over(const BasisInfo& basis, double s, double width, long long& base, double* N) {
+void weights_over(const BasisInfo& basis, double s, const std::vector<DomainPiece>& domain, long long& base,
+                  double* N) {
   std::array<double, max_nodes_per_axis> dN{};
   basis.weights(s, base, N, dN.data());
-  if (!basis.averaged() || !(width > 0)) return;
-  const double t = s - static_cast<double>(base), w = std::min(width, 1.0);
-  const FourNumbers place{t, t, t, t}, widths{w, w, w, w};
-  std::array<FourNumbers, max_nodes_per_axis> mean{}, slope{};
-  basis.mean_four(place, widths, mean.data(), slope.data());
-  for (int r = 0; r < basis.nodes_per_axis; ++r) N[r] = mean[static_cast<std::size_t>(r)][0];
+  if (!basis.averaged() || domain.empty()) return;
+  std::fill_n(N, basis.nodes_per_axis, 0.0);
+  const double t = s - static_cast<double>(base);
+  for (std::size_t q = 0; q < domain.size(); q += 4) {  // a lane a piece
+    FourNumbers place{t, t, t, t}, width{1, 1, 1, 1}, share{};
+    for (std::size_t k = 0; k < std::min<std::size_t>(4, domain.size() - q); ++k) {
+      place[k] += domain[q + k].at;
+      width[k] = domain[q + k].width;
+      share[k] = domain[q + k].share;
+    }
+    std::array<FourNumbers, max_nodes_per_axis> mean{}, slope{};
+    basis.mean_four(place, width, mean.data(), slope.data());
+    for (int r = 0; r < basis.nodes_per_axis; ++r)
+      for (int k = 0; k < 4; ++k) N[r] += share[k] * mean[static_cast<std::size_t>(r)][k];
+  }
 }
 
 }  // namespace
 
-double shape_value(const BasisInfo& basis, double s, long long node, double width) {
+std::vector<DomainPiece> domain_along(const Scene& scene, const ParticleState& particle, int axis) {
+  const BasisInfo* basis = find_basis(scene.grid.basis);
+  if (basis == nullptr || !basis->averaged() || particle.body >= scene.bodies.size()) return {};
+  const Body& body = scene.bodies[particle.body];
+  const double l_0 = body.sampling == "lattice"
+                         ? 1.0 / body.particles_per_axis
+                         : std::pow(particle.volume0, 1.0 / scene.dimension) / scene.grid.spacing;
+  if (scene.dimension == 3) {
+    const Mat<3> edge = l_0 * particle.F;
+    return domain_pieces<3>(edge.data(), axis);
+  }
+  const Mat<2> edge = l_0 * particle.F.topLeftCorner<2, 2>();
+  return domain_pieces<2>(edge.data(), axis);
+}
+
+double shape_value(const BasisInfo& basis, double s, long long node, const std::vector<DomainPiece>& domain) {
   long long base = 0;
   std::array<double, max_nodes_per_axis> N{};
-  weights_over(basis, s, width, base, N.data());
+  weights_over(basis, s, domain, base, N.data());
   const long long r = node - base;
   return r >= 0 && r < basis.nodes_per_axis ? N[static_cast<std::size_t>(r)] : 0;
 }
@@ -45,7 +70,7 @@ void draw_shape_curves(Painter& painter, const ShapeCurves& c) {
   const int K = c.basis->nodes_per_axis;
   long long base = 0;
   std::array<double, max_nodes_per_axis> N{};
-  weights_over(*c.basis, c.s, c.width, base, N.data());
+  weights_over(*c.basis, c.s, c.domain, base, N.data());
   const double low = static_cast<double>(base) - 0.5 * K, high = static_cast<double>(base) + 1.5 * K - 1;
   const std::array axis{c.place(low, 0), c.place(high, 0)};
   painter.polyline(axis, look.axis, 0.08F * c.em);
@@ -56,7 +81,7 @@ void draw_shape_curves(Painter& painter, const ShapeCurves& c) {
     for (int i = 0; i <= samples; ++i) {
       const double s = node + 0.5 * K * (2.0 * i / samples - 1);
       // At the ends of the support the next cell's formula would answer.
-      curve.push_back(c.place(s, i == 0 || i == samples ? 0 : shape_value(*c.basis, s, base + k, c.width)));
+      curve.push_back(c.place(s, i == 0 || i == samples ? 0 : shape_value(*c.basis, s, base + k, c.domain)));
     }
     painter.polyline(curve, look.series[static_cast<std::size_t>(k)], 0.13F * c.em);
     painter.circle(c.place(node, 0), 0.2F * c.em, look.axis);
@@ -76,7 +101,7 @@ void draw_shape_curves(Painter& painter, const ShapeCurves& c) {
   }
 }
 
-void shape_plot(const AppContext& context, const Vec3& x, const Vec3& domain) {
+void shape_plot(const AppContext& context, const ParticleState& particle) {
   const BasisInfo* basis = find_basis(context.scene.grid.basis);
   if (basis == nullptr) return;
   const char* const names[] = {"x", "y", "z"};
@@ -87,8 +112,8 @@ void shape_plot(const AppContext& context, const Vec3& x, const Vec3& domain) {
     ImGuiPainter painter(*ImGui::GetWindowDrawList());
     ShapeCurves curves;
     curves.basis = basis;
-    curves.s = x[a] / context.scene.grid.spacing;
-    curves.width = domain[a];
+    curves.s = particle.x[a] / context.scene.grid.spacing;
+    curves.domain = domain_along(context.scene, particle, a);
     curves.em = em();
     curves.theme = context.view.theme;
     long long base = 0;

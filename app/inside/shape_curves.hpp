@@ -2,20 +2,24 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "app/context.hpp"
 #include "core/bases/basis.hpp"
 #include "core/charts/painter.hpp"
+#include "core/grid/domain.hpp"
 
 namespace pf::app {
 
-/// N_i(s) of the node i, s = x/dx. Of an averaged basis its mean over `width` cells about s, at most one.
-double shape_value(const BasisInfo& basis, double s, long long node, double width = 0);
+/// N_i(s) of the node i, s = x/dx. Of an averaged basis its mean over the domain whose pieces are given (none: N_i).
+double shape_value(const BasisInfo& basis, double s, long long node, const std::vector<DomainPiece>& domain = {});
+/// Of a particle of a scene with an averaged basis: its domain as the step sees it, along an axis; else none.
+std::vector<DomainPiece> domain_along(const Scene& scene, const ParticleState& particle, int axis);
 
 struct ShapeCurves {
   const BasisInfo* basis = nullptr;
   double s = 0;                                 ///< where they are cut
-  double width = 0;                             ///< of the particle's domain, of an averaged basis [cells]
+  std::vector<DomainPiece> domain;              ///< of the particle, of an averaged basis
   std::function<Point2(double, double)> place;  ///< of (s, N)
   float em = 15;
   Theme theme = Theme::dark;
@@ -24,8 +28,7 @@ struct ShapeCurves {
 /// The curves, their axis, the nodes on it, and the cut with its values.
 void draw_shape_curves(Painter& painter, const ShapeCurves& curves);
 
-/// A box in a panel with the curves of each axis at x [m]; `domain`: the particle's widths there [cells], which an
-/// averaged basis is averaged over.
-void shape_plot(const AppContext& context, const Vec3& x, const Vec3& domain);
+/// A box in a panel with the curves of each axis where the particle is.
+void shape_plot(const AppContext& context, const ParticleState& particle);
 
 }  // namespace pf::app

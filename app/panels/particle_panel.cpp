@@ -54,10 +54,7 @@ void draw_stress(const ParticleState& p, int d) {
 /// The nodes that it meets: a click selects one.
 void draw_nodes(AppContext& context, const ParticleLook& look, int d) {
   if (!foldable("Shape functions", true)) return;
-  Vec3 domain = Vec3::Zero();  // upright box about F l_0
-  if (const auto& bodies = context.scene.bodies; look.state.body < bodies.size())
-    domain = look.state.F.cwiseAbs().rowwise().sum() / bodies[look.state.body].particles_per_axis;
-  shape_plot(context, look.state.x, domain);
+  shape_plot(context, look.state);
   constexpr auto flags = ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings;
   if (ImGui::BeginTable("nodes", 3, flags)) {
     for (const char* head : {"Node", "w", "\xe2\x88\x87w [1/m]"}) {

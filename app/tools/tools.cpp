@@ -14,7 +14,8 @@ const std::vector<ToolInfo>& tools() {
        "larger one.",
        make_pin_tool},
       {"push", "Push",
-       "Drag: a ball as hard as a wall follows the mouse and pushes the material aside; the wheel sets its size.",
+       "Drag: a ball as hard as a wall follows the mouse and pushes the material aside; the wheel sets the size of the "
+       "next ball.",
        make_push_tool},
       {"arrange", "Arrange",
        "Selects bodies, walls, supports and loads; drag moves them, the round knob turns, the square one scales. In "

@@ -130,6 +130,28 @@ void domain_weights(const BasisInfo& basis, const Wide<lane_count<D>>* t, const 
     Means<D, 4>::compute(basis, t, fit, pieces, w);
 }
 
+template <int D>
+std::vector<DomainPiece> domain_pieces(const double* edge, int axis) {
+  Wide<lane_count<D>> fit[D * D] = {};
+  for (int k = 0; k < D * D; ++k) fit[k][0] = edge[k];
+  int shrunk = 0;
+  shrink<D>(fit, 1, shrunk);
+  const Pieces<D> cut = pieces_of<D>(fit, 1);
+  std::vector<DomainPiece> pieces{{0, least_width, 1}};
+  for (int b = 0; b < D; ++b) {
+    const int n = cut.most[static_cast<std::size_t>(b)];
+    const double e = fit[axis + D * b][0] / n;
+    std::vector<DomainPiece> finer;
+    for (const DomainPiece& p : pieces)
+      for (int k = 0; k < n; ++k)
+        finer.push_back({p.at + (k + 0.5 - 0.5 * n) * e, std::max(p.width, std::abs(e)), p.share / n});
+    pieces = std::move(finer);
+  }
+  return pieces;
+}
+
+template std::vector<DomainPiece> domain_pieces<2>(const double*, int);
+template std::vector<DomainPiece> domain_pieces<3>(const double*, int);
 template void domain_weights<2>(const BasisInfo&, const Wide<4>*, const Wide<4>*, int, Wide<4>*, int&);
 template void domain_weights<3>(const BasisInfo&, const Wide<8>*, const Wide<8>*, int, Wide<8>*, int&);
 

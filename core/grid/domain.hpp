@@ -5,6 +5,8 @@
 // (docs/accuracy.md).
 #pragma once
 
+#include <vector>
+
 #include "core/bases/basis.hpp"
 #include "core/grid/wide.hpp"
 #include "core/types.hpp"
@@ -26,6 +28,17 @@ template <int D>
 void domain_weights(const BasisInfo& basis, const Wide<lane_count<D>>* t, const Wide<lane_count<D>>* edge, int count,
                     Wide<lane_count<D>>* w, int& shrunk);
 
+/// What domain_weights does, seen along one axis: the sum of its weights over the nodes of the other axes is
+/// sum_q share_q mean of N over [s + at_q - width_q / 2, s + at_q + width_q / 2], all in cells.
+struct DomainPiece {
+  double at = 0, width = 0, share = 1;
+};
+/// `edge`: F l_0 / dx, column-major.
+template <int D>
+std::vector<DomainPiece> domain_pieces(const double* edge, int axis);
+
+extern template std::vector<DomainPiece> domain_pieces<2>(const double*, int);
+extern template std::vector<DomainPiece> domain_pieces<3>(const double*, int);
 extern template void domain_weights<2>(const BasisInfo&, const Wide<4>*, const Wide<4>*, int, Wide<4>*, int&);
 extern template void domain_weights<3>(const BasisInfo&, const Wide<8>*, const Wide<8>*, int, Wide<8>*, int&);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/step/plan_weights.hpp"
 #include "core/step/simulation_of.hpp"
 
 namespace pf {
@@ -45,7 +46,8 @@ ParticleLook SimulationOf<D>::look_at_particle(std::uint32_t id) const {
   look.J = F.determinant();
   look.stretches.template head<D>() = Eigen::JacobiSVD<Mat<D>>(F).singularValues();
   look.energy = look.state.volume0 * look.state.energy_density;
-  look.nodes = weights_at(*find_basis(scene_.grid.basis), scene_.grid.spacing, D, look.state.x);
+  const auto found = std::find(particles_.id.begin(), particles_.id.end(), id);
+  look.nodes = weights_in(plan_, static_cast<std::size_t>(found - particles_.id.begin()));
   for (const NodeWeight& n : look.nodes) {
     look.weight_sum += n.w;
     look.gradient_sum += n.grad;
@@ -78,14 +80,13 @@ NodeLook SimulationOf<D>::look_at_node(const NodeIndex& index) const {
   look.external = in_space<D>(force.template segment<D>(node * D));
   look.residual = residual_at(record_.get(), index);
 
-  const BasisInfo& basis = *find_basis(scene_.grid.basis);
-  const double reach = 0.5 * basis.nodes_per_axis * dx;
+  const double reach = (0.5 * plan_.nodes_per_axis() + 1e-9) * dx;
   for (std::size_t p = 0; p < particles_.size(); ++p) {
     const Vec<D> offset = look.x.template head<D>() - particles_.x[p];
     if (!(offset.cwiseAbs().maxCoeff() < reach)) continue;
-    const std::vector<NodeWeight> around = weights_at(basis, dx, D, in_space<D>(particles_.x[p]));
+    const std::vector<NodeWeight> around = weights_in(plan_, p);
     const auto here = std::find_if(around.begin(), around.end(), [&](const NodeWeight& n) { return n.node == index; });
-    if (here == around.end()) continue;
+    if (here == around.end() || (here->w == 0 && here->grad.isZero(0))) continue;
     Contribution c;
     c.particle = particles_.id[p];
     c.w = here->w;

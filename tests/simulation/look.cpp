@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/bases/basis.hpp"
+#include "core/grid/domain.hpp"
 #include "tests/simulation/scenes.hpp"
 
 using namespace pf;
@@ -12,7 +13,7 @@ using namespace pf::test;
 
 namespace {
 
-Json spinning(int dimension, const char* basis = "quadratic", const char* transfer = "flip") {
+Json spinning(int dimension, const std::string& basis = "quadratic", const char* transfer = "flip") {
   Json scene = block(dimension);
   scene["grid"]["basis"] = basis;
   scene["transfer"]["type"] = transfer;
@@ -41,7 +42,8 @@ std::map<NodeIndex, std::size_t> nodes_of(const StepRecord& r) {
 
 TEST_CASE("a particle's weights add up to 1, their gradients to 0, and they put it where it is") {
   for (const int d : {2, 3})
-    for (const char* basis : {"linear", "quadratic", "cubic"}) {
+    for (const BasisInfo& info : bases()) {
+      const std::string basis(info.name);
       CAPTURE(d);
       CAPTURE(basis);
       const auto simulation = start(spinning(d, basis));
@@ -51,7 +53,7 @@ TEST_CASE("a particle's weights add up to 1, their gradients to 0, and they put 
         REQUIRE(look.particle);
         const ParticleLook& p = *look.particle;
         CHECK(look.step == 3);
-        const int K = find_basis(basis)->nodes_per_axis;
+        const int K = info.nodes_per_axis;
         CHECK(p.nodes.size() == static_cast<std::size_t>(d == 2 ? K * K : K * K * K));
         CHECK(p.weight_sum == doctest::Approx(1).epsilon(1e-13));
         CHECK(p.gradient_sum.norm() < 1e-11);
@@ -100,6 +102,104 @@ TEST_CASE("what particles give to a node is what the next step finds there") {
         }
       }
       CHECK_FALSE(simulation->look({std::nullopt, NodeIndex{1000, 0, 0}}).node->active);
+    }
+}
+
+TEST_CASE(
+    "what the particles tell adds up to the masses and forces of the step, for every basis, sheared and at walls") {
+  for (const int d : {2, 3})
+    for (const BasisInfo& info : bases())
+      for (const bool at_wall : {false, true}) {
+        const std::string basis(info.name);
+        CAPTURE(d);
+        CAPTURE(basis);
+        CAPTURE(at_wall);
+        Json scene = spinning(d, basis);
+        scene["bodies"][0]["velocity"] = d == 2 ? Json{"30*Y", "0"} : Json{"30*Y", "0", "4*X"};
+        if (at_wall) {
+          scene["boundaries"] = Json::array({floor_at(d, 0.1)});
+          scene["grid"]["boundary_correction"] = true;
+        }
+        const auto simulation = start(scene);
+        run(*simulation, 2);
+        std::map<NodeIndex, double> mass;
+        std::map<NodeIndex, Vec3> force;
+        double sheared = 0;
+        for (const ParticleState& p : simulation->particles()) {
+          sheared = std::max(sheared, std::abs(p.F(0, 1)));
+          const ParticleLook look = *simulation->look({p.id, std::nullopt}).particle;
+          CHECK(look.weight_sum == doctest::Approx(1).epsilon(1e-12));
+          CHECK(look.gradient_sum.norm() < 1e-11);
+          for (const NodeWeight& n : look.nodes) {
+            mass[n.node] += p.mass * n.w;
+            force.try_emplace(n.node, Vec3::Zero()).first->second -= p.volume0 * look.J * p.sigma * n.grad;
+          }
+        }
+        CHECK(sheared > 0.3);  // in 3D, too, a domain is cut into pieces
+        const NodeIndex inside{4, 3, d == 3 ? 3 : 0};
+        const NodeLook node = *simulation->look({std::nullopt, inside}).node;
+        REQUIRE(node.active);
+        CHECK(node.mass == doctest::Approx(mass.at(inside)).epsilon(1e-12));
+        CHECK((node.internal - force.at(inside)).norm() < 1e-11 * (1 + node.internal.norm()));
+
+        simulation->set_recording(RecordLevel::all);
+        run(*simulation, 1);
+        const StepRecord& r = *simulation->record();
+        const double heaviest = *std::max_element(r.node_mass.begin(), r.node_mass.end());
+        double strongest = 0, mass_off = 0, force_off = 0;
+        const auto nodes = nodes_of(r);
+        for (const auto& [index, i] : nodes) {
+          REQUIRE(mass.count(index) == 1);
+          const Vec3 f = component(r.internal_start, i, d);
+          strongest = std::max(strongest, f.norm());
+          mass_off = std::max(mass_off, std::abs(mass[index] - r.node_mass[i]));
+          Vec3 told = force[index];
+          if (d == 2) told.z() = 0;
+          force_off = std::max(force_off, (told - f).norm());
+        }
+        CHECK(mass_off < 1e-12 * heaviest);
+        CHECK(strongest > 1);
+        CHECK(force_off < 1e-11 * strongest);
+        for (const auto& [index, m] : mass)
+          if (nodes.count(index) == 0) CHECK(m == 0);
+      }
+}
+
+TEST_CASE("the pieces of a domain along an axis give the plan's weights, added up over the other axes") {
+  for (const int d : {2, 3})
+    for (const char* name : {"gimp", "quadratic_gimp"}) {
+      CAPTURE(d);
+      CAPTURE(name);
+      Json scene = spinning(d, name);
+      scene["bodies"][0]["velocity"] = d == 2 ? Json{"30*Y", "0"} : Json{"30*Y", "0", "4*X"};
+      const auto simulation = start(scene);
+      run(*simulation, 2);
+      const std::vector<ParticleState> all = simulation->particles();
+      const auto sheared = std::max_element(all.begin(), all.end(), [](const auto& p, const auto& q) {
+        return std::abs(p.F(0, 1)) < std::abs(q.F(0, 1));
+      });
+      const ParticleLook look = *simulation->look({sheared->id, std::nullopt}).particle;
+      const double l_0 = 1.0 / simulation->scene().bodies[0].particles_per_axis;
+      const BasisInfo& basis = *find_basis(name);
+      for (int a = 0; a < d; ++a) {
+        const Mat<2> flat = l_0 * look.state.F.topLeftCorner<2, 2>();
+        const Mat<3> whole = l_0 * look.state.F;
+        const auto pieces = d == 2 ? domain_pieces<2>(flat.data(), a) : domain_pieces<3>(whole.data(), a);
+        CHECK(pieces.size() > 1);
+        const double s = look.state.x[a] / 0.1;
+        const auto base = static_cast<double>(look.nodes.front().node[static_cast<std::size_t>(a)]);
+        for (int r = 0; r < basis.nodes_per_axis; ++r) {
+          double sum = 0, along = 0;
+          for (const NodeWeight& n : look.nodes)
+            if (n.node[static_cast<std::size_t>(a)] == static_cast<int>(base) + r) sum += n.w;
+          for (const DomainPiece& p : pieces) {
+            FourNumbers N[max_nodes_per_axis], dN[max_nodes_per_axis];
+            basis.mean_four(FourNumbers{} + (s + p.at - base), FourNumbers{} + p.width, N, dN);
+            along += p.share * N[r][0];
+          }
+          CHECK(along == doctest::Approx(sum).epsilon(1e-11));
+        }
+      }
     }
 }
 
