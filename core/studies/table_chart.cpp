@@ -24,6 +24,7 @@ std::vector<std::string> table_labels(const std::vector<fs::path>& tables) {
   const bool same = std::all_of(tables.begin(), tables.end(),
                                 [&](const fs::path& table) { return table.filename() == tables.front().filename(); });
   std::vector<std::string> labels;
+  labels.reserve(tables.size());
   for (const fs::path& table : tables)
     labels.push_back((same ? fs::absolute(table).parent_path().filename() : table.stem()).string());
   return labels;
