@@ -71,6 +71,7 @@ bool Workbench::possible(Action action) const {
       case Action::step_back:
       case Action::bad_step:
       case Action::branch:
+      case Action::record:
         return false;
       case Action::step:
         return context_.compare->status.state != CompareState::finished;
@@ -93,7 +94,10 @@ bool Workbench::possible(Action action) const {
     case Action::branch:
       return context_.status.step < context_.status.reached;
     case Action::picture:
+    case Action::picture_bare:
+    case Action::picture_window:
     case Action::export_picture:
+    case Action::record:
     case Action::fit:
       return context_.snapshot != nullptr;
     default:
@@ -114,6 +118,7 @@ void Workbench::act(Action action, int index) {
     settle_ = 3;
     return;
   }
+  if (act_on_record(action)) return;
   switch (action) {
     case Action::open:
       return ask_open();
@@ -127,11 +132,6 @@ void Workbench::act(Action action, int index) {
                         if (!save_to(file, session_.recorded())) return;
                         if (const std::string w = session_.recording_warning(); !w.empty()) notices_.add(w);
                       });
-    case Action::picture:
-      picture_wanted_ = free_file(context_.save_folder, file_stem(context_.scene.name, "scene"), ".png");
-      break;
-    case Action::export_picture:
-      return ask_picture();
     case Action::quit:
       return settle_changes([this] { leave(); });
     case Action::undo:
@@ -208,6 +208,8 @@ void Workbench::act(Action action, int index) {
       break;
     case Action::deselect:
       deselect();
+      break;
+    default:
       break;
   }
   settle_ = 3;

@@ -78,8 +78,8 @@ void Workbench::draw_lanes_overlay() {
                             ImGui::GetFontSize() / base_em, list);
 }
 
-Image Workbench::view_picture() {
-  if (!comparing(context_) || !lane_views_ || !context_.compare->frame) return view_->picture(context_);
+Image Workbench::view_picture(const PictureRequest& request) {
+  if (!comparing(context_) || !lane_views_ || !context_.compare->frame) return view_->picture(context_, request);
   return lane_views_->picture(context_, *context_.compare, view_->camera(), ImGui::GetFontSize() / base_em);
 }
 

@@ -68,6 +68,7 @@ void Workbench::draw_dialogs() {
   draw_unsaved_question();
   scene_picker_.draw([this](const std::filesystem::path& file) { load_file(file); }, [this] { browse(); });
   file_dialog_.draw();
+  recorder_.draw_dialog(context_);
   draw_problems();
   draw_help();
   draw_about();

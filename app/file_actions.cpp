@@ -4,9 +4,7 @@
 
 #include "app/workbench.hpp"
 #include "core/assets.hpp"
-#include "core/build_info.hpp"
 #include "core/files.hpp"
-#include "render/picture.hpp"
 
 namespace pf::app {
 namespace {
@@ -93,29 +91,6 @@ void Workbench::ask_save(const std::string& title, const std::string& extension,
       request.places.push_back(recent.parent_path());
   request.done = std::move(done);
   file_dialog_.ask(std::move(request));
-  settle_ = 3;
-}
-
-void Workbench::ask_picture() {
-  ask_save("Save picture", ".png", context_.save_folder / (file_stem(context_.scene.name, "scene") + ".png"),
-           [this](const fs::path& file) {
-             picture_wanted_ = file;
-             settle_ = 3;
-           });
-}
-
-void Workbench::save_picture(const fs::path& file) {
-  const BuildInfo build = build_info();
-  const ImageText about{{"Title", context_.scene.name},
-                        {"Software", "Pushforward " + std::string(build.version)},
-                        {"Commit", std::string(build.commit)},
-                        {"Scene hash", scene_hash(context_.scene)}};
-  try {
-    write_png(view_picture(), file, about);
-    notices_.add("Saved " + file.string());
-  } catch (const std::exception& error) {
-    report_file_trouble(error.what());
-  }
   settle_ = 3;
 }
 

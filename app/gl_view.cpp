@@ -12,7 +12,6 @@
 #include "app/inside/step_player.hpp"
 #include "app/outline/outlines.hpp"
 #include "app/theme.hpp"
-#include "core/charts/png_painter.hpp"
 #include "render/overlay.hpp"
 
 namespace pf::app {
@@ -312,28 +311,6 @@ void GlView::draw_tool(AppContext& context, ImDrawList& list) {
   draw_inside(painter, map, over ? &mouse : nullptr, context);
   tools_[tool_]->draw(painter, map, over || held_ ? &mouse : nullptr, context);
   painter.pop_clip();
-}
-
-Image GlView::picture(const AppContext& context) {
-  const float finer = std::max(1.0f, 1600.0f / static_cast<float>(size_.width));
-  const auto more = [&](int pixels) { return static_cast<int>(std::lround(finer * static_cast<float>(pixels))); };
-  const ViewSize size{more(size_.width), more(size_.height)};
-  Camera camera = camera_;
-  if (auto* flat = std::get_if<Camera2D>(&camera)) flat->pixels_per_metre *= static_cast<double>(finer);
-  RenderOptions options = render_options(context, finer * pixels_per_unit_ * overlay_scale());
-  options.best_quality = true;
-  options.selected.reset();
-  OffscreenTarget target(size);
-  target.bind();
-  renderer_.draw(*context.snapshot, options, camera, {0, 0, size});
-  Image image = target.read();
-  OverlayInfo info = OverlayInfo::of(*context.snapshot, renderer_, options, camera, size);
-  info.title = context.scene.name;
-  PngPainter painter(image, options.pixel_scale);
-  pf::draw_overlay(
-      info, options.theme, painter, {0, 0},
-      {static_cast<float>(size.width) / options.pixel_scale, static_cast<float>(size.height) / options.pixel_scale});
-  return image;
 }
 
 }  // namespace pf::app

@@ -20,6 +20,13 @@ namespace pf::app {
 
 /// Render's options for what the user chose to see. `pixel_scale`: framebuffer pixels per layout pixel.
 RenderOptions render_options(const AppContext& context, float pixel_scale);
+/// A picture of the view for a file.
+struct PictureRequest {
+  ViewSize size{0, 0};       ///< [pixels]; 0: as the view, at least 1600 wide
+  bool as_view = false;      ///< as the view, to the pixel
+  bool overlay = true;       ///< title, clock, colour bar, scale, axes
+  bool transparent = false;  ///< nothing behind material and walls
+};
 /// Needs a current OpenGL context from construction to destruction; the UI thread's.
 class GlView {
  public:
@@ -37,8 +44,8 @@ class GlView {
   /// The tool's marks, clock, scale, axes and colour bar, on `list`.
   void draw_overlay(AppContext& context, ImDrawList& list);
 
-  /// The view and its overlay, without panels, in the best quality; at least 1600 pixels wide.
-  Image picture(const AppContext& context);
+  /// The view without panels, in the best quality.
+  Image picture(const AppContext& context, const PictureRequest& request = {});
 
   /// Shows everything that matters from the next snapshot on; until the user moves the camera it follows the size.
   void fit() { fit_wanted_ = true; }

@@ -84,6 +84,14 @@ void Workbench::draw_file_menu() {
   ImGui::Separator();
   menu_item(Action::picture);
   menu_item(Action::export_picture);
+  menu_item(Action::picture_window);
+  menu_item(Action::picture_bare);
+  ImGui::Separator();
+  if (recorder_.on()) {
+    if (ImGui::MenuItem("Stop recording", binding(Action::record).shortcut)) act(Action::record);
+  } else {
+    menu_item(Action::record);
+  }
   ImGui::Separator();
   menu_item(Action::quit);
 }

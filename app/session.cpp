@@ -96,6 +96,30 @@ void Session::take_apart() {
   worker_->send(command::TakeApart{}, true);
 }
 
+void Session::record(const std::optional<RecordOrder>& order) {
+  {
+    const std::lock_guard lock(worker_->mutex);
+    RecordProgress& progress = worker_->record_progress;
+    progress.on = order.has_value();
+    if (order) progress = {true, 0, {}};
+    worker_->frame.reset();
+  }
+  worker_->send(command::Record{order}, false);
+}
+void Session::frame_taken(const std::shared_ptr<const Snapshot>& frame) {
+  worker_->send(command::FrameTaken{frame}, false);
+}
+
+RecordProgress Session::record_progress() const {
+  const std::lock_guard lock(worker_->mutex);
+  return worker_->record_progress;
+}
+
+std::shared_ptr<const Snapshot> Session::frame_due() const {
+  const std::lock_guard lock(worker_->mutex);
+  return worker_->frame;
+}
+
 void Session::set_wake(std::function<void()> wake) {
   const std::lock_guard lock(worker_->mutex);
   worker_->wake = std::move(wake);

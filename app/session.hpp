@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/record/order.hpp"
 #include "core/look.hpp"
 #include "core/scene/scene.hpp"
 #include "core/scene/scene_io.hpp"
@@ -120,6 +121,12 @@ class Session {
   /// Pauses, and makes one step that is recorded in full; taken_apart() has it when it was accepted.
   void take_apart();
   std::optional<ApartStep> taken_apart();
+  /// Records the run from the state at hand on, until it ends, another begins or this is called without an order.
+  void record(const std::optional<RecordOrder>& order);
+  RecordProgress record_progress() const;
+  /// A state whose picture is due: the run stands still until it is taken. Null: none is.
+  std::shared_ptr<const Snapshot> frame_due() const;
+  void frame_taken(const std::shared_ptr<const Snapshot>& frame);
 
  private:
   struct Worker;

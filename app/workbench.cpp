@@ -141,6 +141,7 @@ bool Workbench::turn(double longest) {
   const SessionStatus before = context_.status;
   const auto seen = context_.snapshot;
   follow_session();
+  record_frame();
   const bool changed = (news && !same_news(before, context_.status)) || seen != context_.snapshot;
   const bool refine = view_ && view_->refines_in() == 0.0;
   const bool playing = context_.slow && context_.slow->playing;
@@ -156,6 +157,7 @@ bool Workbench::turn(double longest) {
     news_to_show_ = false;
     const auto begin = Clock::now();
     draw();
+    take_window_picture();
     window_.show();
     // Where the processor draws, the simulation shall have at least half of its time.
     const auto end = Clock::now();
@@ -303,7 +305,7 @@ void Workbench::draw() {
   }
   draw_parts();
   watch();
-  if (!picture_wanted_.empty()) save_picture(std::exchange(picture_wanted_, {}));
+  take_view_picture();
   window_.end_frame();
   ++frames_;
 }
@@ -342,6 +344,7 @@ void Workbench::draw_parts() {
   draw_tool_bar();
   draw_failure_banner();
   notices_.draw(layout_.view);
+  recorder_.draw_mark(context_, layout_.view, hide_mark_);
   draw_dialogs();
 }
 

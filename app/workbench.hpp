@@ -18,6 +18,7 @@
 #include "app/layout.hpp"
 #include "app/notices.hpp"
 #include "app/preferences.hpp"
+#include "app/record/recorder.hpp"
 #include "app/scene_picker.hpp"
 #include "app/session.hpp"
 #include "app/studies/library.hpp"
@@ -60,6 +61,7 @@ class Workbench {
   const GlView& view() const { return *view_; }
   const ScenePicker& scene_picker() const { return scene_picker_; }
   const TimeLine& time_line() const { return time_line_; }
+  Recorder& recorder() { return recorder_; }
   long frames_drawn() const { return frames_; }
   /// What a key or a menu item does.
   void act(Action action, int index = 0);
@@ -108,11 +110,9 @@ class Workbench {
   void ask_save(const std::string& title, const std::string& extension, const std::filesystem::path& proposal,
                 std::function<void(const std::filesystem::path&)> done);
   void ask_save_as();
-  void ask_picture();
   void pin();
   void show_bad_step();
   void deselect();
-  void save_picture(const std::filesystem::path& file);
   void leave();
   /// Runs `then` at once, or after the user has said what becomes of unsaved changes.
   void settle_changes(std::function<void()> then);
@@ -128,9 +128,20 @@ class Workbench {
   void draw_lanes();
   void draw_lanes_overlay();
   /// Of the view, or of all lanes; without panels.
-  Image view_picture();
+  Image view_picture(const PictureRequest& request);
   void draw_compare_transport();
   void set_rate(double simulated_per_wall);
+
+  // record_actions.cpp
+  /// False: it has nothing to do with pictures.
+  bool act_on_record(Action action);
+  void ask_picture();
+  ImageText picture_text() const;
+  void save_picture(const std::filesystem::path& file, const Image& image);
+  void take_view_picture();
+  void take_window_picture();
+  /// Takes the picture of a state that waits for it.
+  void record_frame();
 
   // study_actions.cpp
   void set_study_actions();
@@ -203,7 +214,14 @@ class Workbench {
   std::vector<HistorySample> fresh_;
 
   bool show_help_ = false, show_about_ = false, show_problems_ = false;
-  std::string picture_wanted_;           ///< file for the frame that is being drawn
+  struct WantedPicture {
+    std::filesystem::path file;  ///< empty: none
+    PictureRequest request = {};
+    int window = 0;  ///< of the whole window, in so many frames
+  };
+  WantedPicture picture_;
+  Recorder recorder_;
+  bool hide_mark_ = false;               ///< in the frame that is being drawn
   std::function<void()> after_changes_;  ///< waits for the answer about unsaved changes
 };
 

@@ -99,6 +99,7 @@ bool Session::Worker::take(std::vector<command::Any>& into, std::optional<Clock:
 
 std::optional<Session::Worker::Clock::time_point> Session::Worker::next_moment() {
   const auto now = Clock::now();
+  if (posing()) return stale_ ? std::optional(now) : std::nullopt;
   if (single_steps_ > 0 || (target_ && !suspended_)) return now;
   if (!stepping()) return std::nullopt;
   const auto due = pacer_.due(simulation_->time(), now);
@@ -107,7 +108,8 @@ std::optional<Session::Worker::Clock::time_point> Session::Worker::next_moment()
 
 void Session::Worker::advance() {
   const auto now = Clock::now();
-  if (stale_ && ((!stepping() && !target_) || now >= published_ + frame_time)) publish();
+  if (stale_ && (posing() || (!stepping() && !target_) || now >= published_ + frame_time)) publish();
+  if (posing()) return;
   if (single_steps_ > 0 || (target_ && !suspended_) || (stepping() && now >= pacer_.due(simulation_->time(), now)))
     take_step();
 }
@@ -125,6 +127,7 @@ void Session::Worker::take_step() {
       accept(report, ms);
       apply_events();
       apply_recorded();
+      film_state(false);
       arrive();
     }
     if (report.status == StepStatus::failed) fail(report.failure);
@@ -171,7 +174,8 @@ void Session::Worker::apply_events() {
 
 void Session::Worker::finish() {
   target_.reset();
-  if (at_end_ == AtEnd::loop && state_ == RunState::running) return build(edited_, true, false);
+  film_state(true);
+  if (at_end_ == AtEnd::loop && state_ == RunState::running && !filming_) return build(edited_, true, false);
   if (stale_) publish();
   set_state(RunState::finished);
 }
@@ -179,7 +183,10 @@ void Session::Worker::finish() {
 void Session::Worker::fail(const std::string& why) {
   single_steps_ = 0;
   target_.reset();
-  if (simulation_) publish();
+  if (simulation_) {
+    film_state(true);
+    publish();
+  }
   {
     const std::lock_guard lock(mutex);
     status.message = why;
@@ -193,6 +200,7 @@ void Session::Worker::build(const Scene& scene, bool run, bool announce) {
   grabbed_ = refused_ = false;
   built_ = edited_ = applied_ = scene;
   keyframes_.clear();
+  if (filming_) end_record({});
   reached_ = 0;
   target_.reset();
   waiting_edit_.reset();
@@ -255,6 +263,7 @@ void Session::Worker::publish() {
   std::string choice = simulation_->solver_choice();
   {
     const std::lock_guard lock(mutex);
+    if (frame && frame->report.step == newest->report.step) frame = fresh;  // the same state, seen otherwise
     newest.swap(fresh);
     status.solver_choice.swap(choice);
   }
@@ -383,18 +392,6 @@ void Session::Worker::handle(const command::Hold& hold) {
 void Session::Worker::handle(const command::Look& look) {
   request_ = look.request;
   if (simulation_) stale_ = true;  // the same state, seen otherwise
-}
-
-void Session::Worker::handle(const command::Ask& ask) {
-  if (!simulation_) return;
-  LookQuestion question = ask.question;
-  if (question.particle && *question.particle >= simulation_->particle_count()) question.particle.reset();
-  pf::Look found = simulation_->look(question);
-  {
-    const std::lock_guard lock(mutex);
-    answer = std::move(found);
-  }
-  call_window();
 }
 
 }  // namespace pf::app

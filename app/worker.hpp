@@ -12,6 +12,7 @@
 #include "app/session.hpp"
 #include "app/snapshot_pool.hpp"
 #include "core/keyframes.hpp"
+#include "core/output/export.hpp"
 #include "core/runner.hpp"
 
 namespace pf::app {
@@ -62,8 +63,14 @@ struct Watch {
   RecordLevel level;
 };
 struct TakeApart {};
+struct Record {
+  std::optional<RecordOrder> order;
+};
+struct FrameTaken {
+  std::shared_ptr<const Snapshot> frame;
+};
 using Any = std::variant<Open, Run, Pause, StepOnce, Reset, GoTo, Branch, Ledger, Recount, Memory, EditTo, Suspend,
-                         Rate, End, Hold, Look, Ask, Watch, TakeApart>;
+                         Rate, End, Hold, Look, Ask, Watch, TakeApart, Record, FrameTaken>;
 }  // namespace command
 
 struct Session::Worker {
@@ -85,6 +92,8 @@ struct Session::Worker {
   std::optional<pf::Look> answer;
   std::shared_ptr<const StepRecord> record;
   std::optional<ApartStep> apart;
+  RecordProgress record_progress;
+  std::shared_ptr<const Snapshot> frame;  ///< waits for its picture to be taken
   Recording recording;
   std::function<void()> wake;
   std::atomic<bool> cancel{false};
@@ -138,9 +147,24 @@ struct Session::Worker {
   void handle(const command::Ask& ask);
   void handle(const command::Watch& watch);
   void handle(const command::TakeApart&);
+  void handle(const command::Record& order);
+  void handle(const command::FrameTaken& taken);
   /// Applies what differs between the scene last edited and `scene` and is live. Returns what was applied.
   std::vector<Edit> apply_live(const Scene& scene);
   bool try_apply(const std::vector<Edit>& changes);
+
+  // worker_record.cpp: what is recorded
+  struct Filming {
+    RecordOrder order;
+    FrameClock clock;
+    std::unique_ptr<Exporter> exporter;
+    long frames = 0, newest = -1;
+    bool waiting = false;  ///< the state stands still until the window has its picture
+  };
+  bool posing() const { return filming_ && filming_->waiting; }
+  /// The state at hand, if it is due; `last`: in any case.
+  void film_state(bool last);
+  void end_record(const std::string& trouble);
 
   // worker_rewind.cpp: going back to earlier states, and forward again to where the run has been
   void keep_keyframe();
@@ -176,6 +200,7 @@ struct Session::Worker {
   bool grabbed_ = false;
   SnapshotRequest request_;
   RecordLevel watch_ = RecordLevel::none;
+  std::optional<Filming> filming_;
   SnapshotPool pool_;
   bool stale_ = false;  ///< the newest state was not published yet
   Clock::time_point published_{};

@@ -1,7 +1,19 @@
-// One step recorded as it is taken, to be looked at slowly.
+// Looking inside: the inspector's questions, and one step recorded as it is taken, to be looked at slowly.
 #include "app/worker.hpp"
 
 namespace pf::app {
+
+void Session::Worker::handle(const command::Ask& ask) {
+  if (!simulation_) return;
+  LookQuestion question = ask.question;
+  if (question.particle && *question.particle >= simulation_->particle_count()) question.particle.reset();
+  pf::Look found = simulation_->look(question);
+  {
+    const std::lock_guard lock(mutex);
+    answer = std::move(found);
+  }
+  call_window();
+}
 
 void Session::Worker::handle(const command::Watch& watch) {
   watch_ = watch.level;
@@ -9,7 +21,7 @@ void Session::Worker::handle(const command::Watch& watch) {
 }
 
 void Session::Worker::handle(const command::TakeApart&) {
-  if (!simulation_ || state_ == RunState::loading || state_ == RunState::finished || suspended_) return;
+  if (!simulation_ || state_ == RunState::loading || state_ == RunState::finished || suspended_ || posing()) return;
   set_state(RunState::paused);
   single_steps_ = 0;
   target_.reset();

@@ -3,6 +3,11 @@
 namespace pf {
 
 void Background::draw(const Frame& frame) {
+  if (frame.options.transparent) {
+    glClearColor(0, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT);
+    return;
+  }
   const RenderTheme& theme = frame.theme();
   const bool lattice = frame.flat() && frame.options.grid && frame.snapshot.spacing > 0;
   const double period = 10 * frame.snapshot.spacing;  // heavier lines every ten cells

@@ -99,11 +99,11 @@ void Renderer::Impl::draw_flat(Frame& frame) {
   frame.view_projection = glm::ortho(-half.x, half.x, -half.y, half.y, -1.f, 1.f);
 
   if (frame.options.boundaries || frame.options.regions) boundaries_2d.prepare(frame);
-  const bool slow = frame.software && !frame.options.best_quality;
+  const bool slow = frame.software && !frame.options.best_quality && !frame.options.transparent;
   if (slow && backdrop.serves(frame)) {
     backdrop.show(frame);
   } else {
-    background.draw(frame);
+    background.draw(frame);  // or clears
     if (frame.options.boundaries) boundaries_2d.draw_solids(frame);
     if (slow) backdrop.offer(frame);
   }

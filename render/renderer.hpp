@@ -26,6 +26,7 @@ struct RenderOptions {
   bool regions = true;                    ///< constraints and loads
   bool shadows = true;                    ///< 3D; never on a software renderer unless `best_quality`
   bool best_quality = false;              ///< pictures: every effect and no cheap points, whatever the time
+  bool transparent = false;               ///< nothing behind material and walls: colours multiplied by their alpha
   bool in_motion = false;                 ///< a software renderer may draw less exactly: the next picture is near
   std::optional<std::uint32_t> selected;  ///< id of a particle
   float pixel_scale = 1;                  ///< framebuffer pixels per layout pixel: scales line widths and dots

@@ -75,6 +75,7 @@ void View3D::resolve(const Frame& frame) {
   resolve_.set("u_color", 0);
   resolve_.set("u_origin", glm::vec2(frame.viewport.x, frame.viewport.y));
   resolve_.set("u_size", frame.size());
+  resolve_.set("u_opaque", frame.options.transparent ? 0.f : 1.f);
   full_screen_.draw();
   glEnable(GL_BLEND);
 }

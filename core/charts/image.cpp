@@ -27,4 +27,13 @@ void Image::flip_rows() {
   }
 }
 
+void Image::unpremultiply() {
+  for (std::size_t k = 0; k + 3 < pixels.size(); k += 4) {
+    const int alpha = pixels[k + 3];
+    if (alpha == 0 || alpha == 255) continue;
+    for (std::size_t a = 0; a < 3; ++a)
+      pixels[k + a] = static_cast<std::uint8_t>(std::min(255, (255 * pixels[k + a] + alpha / 2) / alpha));
+  }
+}
+
 }  // namespace pf

@@ -24,6 +24,8 @@ struct Image {
   Color color(int x, int y) const;
   /// Turns bottom-up rows, as OpenGL reads them, the right way up.
   void flip_rows();
+  /// Makes straight what OpenGL blended onto nothing: colours that were multiplied by their alpha.
+  void unpremultiply();
 };
 
 /// Keyword and text of PNG tEXt or iTXt chunks: version, commit, scene hash. Keywords are 1 to 79 bytes of Latin-1.

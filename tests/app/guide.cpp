@@ -168,6 +168,23 @@ const std::map<std::string, Prepare>& views() {
          desk.add(s.context(), "/grid/basis", "cubic");
          s.act_until(0.15);
        }},
+      {"record",
+       [](Shot& s) {
+         s.show("welcome", 45);
+         s.bench->act(Action::record);
+         s.bench->recorder().choice().what = RecordChoice::What::film;
+         s.bench->recorder().choice().file = "welcome.mp4";
+       }},
+      {"recording",
+       [](Shot& s) {
+         s.show("drooping-cantilever", 1);
+         RecordChoice& choice = s.bench->recorder().choice();
+         choice.folder = (s.folder / "frames").string();
+         s.bench->recorder().begin(s.context(), true);
+         s.until([&] { return s.bench->recorder().frames() >= 12; });
+         s.context().session.pause();
+         s.until([&] { return s.context().status.state == RunState::paused; });
+       }},
       {"lesson", [](Shot& s) { s.lesson_at(5, 3, true); }},
       {"lesson-newton", [](Shot& s) { s.lesson_at(4, 1, true); }},
   };

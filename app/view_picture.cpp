@@ -1,0 +1,57 @@
+// Pictures of the view, for files.
+#include <algorithm>
+#include <cmath>
+
+#include "app/gl_view.hpp"
+#include "core/charts/png_painter.hpp"
+#include "render/overlay.hpp"
+
+namespace pf::app {
+
+namespace {
+
+ViewSize picture_size(const PictureRequest& request, ViewSize view) {
+  if (request.size.width > 0) return request.size;
+  const double finer = request.as_view ? 1 : std::max(1.0, 1600.0 / view.width);
+  const auto more = [&](int pixels) { return static_cast<int>(std::lround(finer * pixels)); };
+  return {more(view.width), more(view.height)};
+}
+
+/// Shows what the view does, and more where the picture has another shape.
+Camera camera_for(Camera camera, ViewSize view, ViewSize picture, double finer) {
+  if (auto* flat = std::get_if<Camera2D>(&camera)) {
+    flat->pixels_per_metre *= finer;
+  } else {
+    auto& orbit = std::get<OrbitCamera>(camera);
+    orbit.distance *= static_cast<double>(picture.height) / view.height / finer;
+  }
+  return camera;
+}
+
+}  // namespace
+
+Image GlView::picture(const AppContext& context, const PictureRequest& request) {
+  const ViewSize size = picture_size(request, size_);
+  const double finer =
+      std::min(static_cast<double>(size.width) / size_.width, static_cast<double>(size.height) / size_.height);
+  const Camera camera = camera_for(camera_, size_, size, finer);
+  RenderOptions options = render_options(context, static_cast<float>(finer) * pixels_per_unit_ * overlay_scale());
+  options.best_quality = true;
+  options.transparent = request.transparent;
+  options.selected.reset();
+  OffscreenTarget target(size);
+  target.bind();
+  renderer_.draw(*context.snapshot, options, camera, {0, 0, size});
+  Image image = target.read();
+  if (request.transparent) image.unpremultiply();
+  if (!request.overlay) return image;
+  OverlayInfo info = OverlayInfo::of(*context.snapshot, renderer_, options, camera, size);
+  info.title = context.scene.name;
+  PngPainter painter(image, options.pixel_scale);
+  pf::draw_overlay(
+      info, options.theme, painter, {0, 0},
+      {static_cast<float>(size.width) / options.pixel_scale, static_cast<float>(size.height) / options.pixel_scale});
+  return image;
+}
+
+}  // namespace pf::app
