@@ -132,6 +132,8 @@ void add_run(CLI::App& app, Parsed& parsed) {
       ->type_name("[=WxH]");
   command->add_option("--video", run.video, "the frames as a film (--video=FILE.mp4; needs ffmpeg)")
       ->type_name("FILE.mp4");
+  command->add_flag("--energy", run.energy,
+                    "energy.csv: the closed account of the energy, by cause; a gradient a stage");
   command->add_flag("--plain", run.plain, "pictures and film without title, colour bar, axes and scale");
   std::vector<std::string> formats;
   for (const ExportFormat& format : export_formats()) formats.emplace_back(format.name);

@@ -35,7 +35,8 @@ struct RunOptions {
   bool quiet = false;
   std::optional<PictureSize> images;
   std::optional<std::filesystem::path> video;
-  bool plain = false;  ///< pictures without title, colour bar, axes and scale
+  bool energy = false;  ///< energy.csv: the account of the energy by cause
+  bool plain = false;   ///< pictures without title, colour bar, axes and scale
   std::optional<std::string> export_format;
   std::optional<double> checkpoint_every;  ///< [s] of simulated time
   std::optional<std::filesystem::path> resume;

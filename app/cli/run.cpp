@@ -9,6 +9,7 @@
 #include "app/cli/pictures.hpp"
 #include "app/cli/progress.hpp"
 #include "core/output/checkpoint.hpp"
+#include "core/output/energy_account.hpp"
 #include "core/output/export.hpp"
 #include "core/output/run_folder.hpp"
 #include "core/output/stats.hpp"
@@ -33,6 +34,7 @@ void require_folder(const RunOptions& options) {
   need(options.images.has_value(), "--images");
   need(options.export_format.has_value(), "--export");
   need(options.checkpoint_every.has_value(), "--checkpoint-every");
+  need(options.energy, "--energy");
   if (!problems.empty()) throw InputError("", problems);
 }
 
@@ -58,6 +60,7 @@ class Outputs {
       folder.root = *options.out;
       kept = prepare_run_folder(folder, scene, header);
       add<StatsWriter>(folder.stats(), scene, kept.step);
+      if (options.energy) add<EnergyWriter>(folder.energy());
       if (!scene.probes.empty()) add<ProbesWriter>(folder.probes(), scene, kept.step);
     }
     if (options.images || options.video) {
@@ -126,6 +129,7 @@ int run_scene(const RunOptions& options) {
   std::optional<Checkpoint> checkpoint;
   if (options.resume) checkpoint = read_checkpoint(*options.resume);
   const std::unique_ptr<Simulation> simulation = make_simulation(scene, {thread_count(options), options.scene});
+  simulation->set_ledger(options.energy);
   RunCursor cursor;
   if (checkpoint) {
     resume(*simulation, scene, *checkpoint, options.resume->string());

@@ -8,10 +8,13 @@
 #include "app/panels/memory.hpp"
 #include "app/panels/panels.hpp"
 #include "app/panels/series.hpp"
+#include "app/preferences.hpp"
 #include "app/widgets/plot.hpp"
 #include "app/widgets/run_list.hpp"
 #include "app/widgets/text.hpp"
 #include "app/widgets/units.hpp"
+#include "core/output/energy_account.hpp"
+#include "core/params/problem.hpp"
 
 namespace pf::app {
 
@@ -97,6 +100,19 @@ std::string verdict(const Account& a, const std::vector<StepReport>& reports) {
          ", " + quantity(100 * std::abs(made) / most, "", 2) + " % of the most that moved or strained";
 }
 
+/// The account as it stands, beside the pictures.
+void save_account(AppContext& context, bool json) {
+  const auto& reports = context.current.reports;
+  const auto file =
+      free_file(context.save_folder, file_stem(context.scene.name, "scene") + "-energy", json ? ".json" : ".csv");
+  try {
+    write_atomically(file, json ? energy_account_json(reports) : energy_account_csv(reports));
+    context.notify("Saved " + file.string());
+  } catch (const FileError& error) {
+    context.notify(error.what());
+  }
+}
+
 void draw_list(AppContext& context, const Account& a) {
   legend_entry(context, 0, "Change of the energy", newest(a.change, "J"));
   for (std::size_t c = 0; c < causes.size(); ++c) {
@@ -105,7 +121,13 @@ void draw_list(AppContext& context, const Account& a) {
     tooltip(causes[c].help);
   }
   gap(0.25F);
-  if (!a.time.empty()) muted(verdict(a, context.current.reports));
+  if (!a.time.empty()) {
+    muted(verdict(a, context.current.reports));
+    if (text_button("Save as CSV")) save_account(context, false);
+    tooltip("The sums over time, a row a step, with what remains: rounding.");
+    ImGui::SameLine();
+    if (text_button("JSON")) save_account(context, true);
+  }
   if (a.whole || context.current.reports.size() < 2) return;
   muted(a.time.empty() ? "Counted from the next step on."
                        : "Counted since t = " + quantity(a.time.front(), "s", 4) + ".");

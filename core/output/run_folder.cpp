@@ -77,6 +77,7 @@ Kept prepare_run_folder(const RunFolder& folder, const Scene& scene, const Check
   if (kept.step) return kept;
   fs::remove(folder.exports() / "particles.pvd", ignored);
   fs::remove(folder.probes(), ignored);
+  fs::remove(folder.energy(), ignored);
   return kept;
 }
 

@@ -13,6 +13,7 @@ namespace pf {
 struct RunFolder {
   std::filesystem::path root;
   std::filesystem::path stats() const { return root / "stats.csv"; }
+  std::filesystem::path energy() const { return root / "energy.csv"; }
   std::filesystem::path probes() const { return root / "probes.csv"; }
   std::filesystem::path summary() const { return root / "summary.json"; }
   std::filesystem::path images() const { return root / "images"; }

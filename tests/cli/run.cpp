@@ -73,6 +73,20 @@ TEST_CASE("run --out writes every file that was asked for") {
   CHECK_FALSE(fs::exists(here / "o/export/particles_000004.vtp"));
 }
 
+TEST_CASE("--energy writes the account of the energy, and changes no byte of the run") {
+  const Workplace here;
+  here.put("scene.json", falling_block);
+  REQUIRE(here.run("run scene.json --out plain").status == 0);
+  CHECK_FALSE(fs::exists(here / "plain/energy.csv"));
+  REQUIRE(here.run("run scene.json --out counted --energy").status == 0);
+  CHECK(rows(here / "counted/energy.csv") == 7);
+  CHECK(pf::read_file(here / "counted/energy.csv").find(",time_integration,") != std::string::npos);
+  CHECK(summary(here / "counted")["final"] == summary(here / "plain")["final"]);
+  CHECK(here.run("run scene.json --energy").status == 2);
+  REQUIRE(here.run("run scene.json --out counted").status == 0);  // ours of the run before is gone
+  CHECK_FALSE(fs::exists(here / "counted/energy.csv"));
+}
+
 TEST_CASE("a free block falls with g: momentum after t is m g t") {
   const Workplace here;
   here.put("scene.json", falling_block);
