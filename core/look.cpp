@@ -26,6 +26,24 @@ std::vector<NodeWeight> weights_at(const BasisInfo& basis, double spacing, int d
   return nodes;
 }
 
+std::vector<NodeWeight> recorded_weights(const StepRecord& record, std::size_t particle) {
+  const auto d = static_cast<std::size_t>(record.dimension), K = static_cast<std::size_t>(record.nodes_per_axis);
+  const std::size_t count = d == 3 ? K * K * K : K * K;
+  if (K == 0 || record.weights.size() < (particle + 1) * count * (1 + d)) return {};
+  std::vector<NodeWeight> nodes(count);
+  const float* value = record.weights.data() + particle * count * (1 + d);
+  for (std::size_t n = 0; n < count; ++n, value += 1 + d) {
+    NodeWeight& node = nodes[n];
+    std::size_t rest = n;
+    for (std::size_t a = 0; a < d; ++a, rest /= K) {
+      node.node[a] = record.first_node[particle * d + a] + static_cast<std::int32_t>(rest % K);
+      node.grad[static_cast<Eigen::Index>(a)] = static_cast<double>(value[1 + a]);
+    }
+    node.w = static_cast<double>(value[0]);
+  }
+  return nodes;
+}
+
 Look Simulation::look(const LookQuestion& question) const {
   Look look;
   look.step = report().step;

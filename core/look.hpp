@@ -24,6 +24,10 @@ struct NodeWeight {
 /// All nodes of the point's stencil, x fastest: (k+1)^dimension of them.
 std::vector<NodeWeight> weights_at(const BasisInfo& basis, double spacing, int dimension, const Vec3& x);
 
+/// The same of a particle in a step recorded at RecordLevel::all (its place in the record's arrays), as the step had
+/// them; to single precision. Empty where the record has none.
+std::vector<NodeWeight> recorded_weights(const StepRecord& record, std::size_t particle);
+
 /// A particle at t^n, and the nodes that the coming step will join it to.
 struct ParticleLook {
   ParticleState state;

@@ -61,6 +61,12 @@ struct StepRecord {
   std::vector<double> particle_mass;
   ParticleArrays before, after;
 
+  /// The weights that the step used, averaged over domains and ended at walls where its are: nodes_per_axis^dimension
+  /// nodes a particle, x fastest, from its first one on; of each node w_ip and grad w_ip [1/m].
+  int nodes_per_axis = 0;
+  std::vector<std::int32_t> first_node;  ///< lattice coordinates
+  std::vector<float> weights;            ///< 1 + dimension a node
+
   std::size_t nodes() const { return node_mass.size(); }
 };
 

@@ -11,7 +11,7 @@
 #include "app/widgets/formula_text.hpp"
 #include "app/widgets/text.hpp"
 #include "app/widgets/units.hpp"
-#include "core/bases/basis.hpp"
+#include "core/look.hpp"
 
 namespace pf::app {
 
@@ -41,8 +41,7 @@ Watched watched(const AppContext& context) {
   Watched w{player, player.record(), player.record().dimension, {}, {}, {}, 0};
   if (context.selected_particle) w.particle = player.find_particle(*context.selected_particle);
   if (context.selected_node) w.node = player.find_node(*context.selected_node);
-  const BasisInfo* basis = find_basis(player.scene().grid.basis);
-  if (w.particle && basis != nullptr) w.weights = weights_at(*basis, w.record.spacing, w.d, w.x());
+  if (w.particle) w.weights = recorded_weights(w.record, *w.particle);
   for (const NodeWeight& n : w.weights)
     if (context.selected_node == n.node) w.w = n.w;
   return w;
@@ -201,16 +200,20 @@ void snap(const AppContext& context, const Watched& w) {
       "on "
       "a grid that is straight again, with new weights. That push-forward gives the program its name.");
   formula_text("\\phi^{n+1} = \\hat{\\phi} \\circ \\phi^n,   F^{n+1} = \\hat{F} F^n");
-  const BasisInfo* basis = find_basis(w.player.scene().grid.basis);
-  if (!w.particle || basis == nullptr) return;
+  if (!w.particle) return;
   bold(particle_name(context));
   const Vec3 x = entry(w.record.after.x, *w.particle, w.d);
   property("Is now at", vector_text(x, w.d, "m", 4));
   property("Volume ratio J", quantity(w.F(w.record.before.F).determinant(), "", 5) + " \xe2\x86\x92 " +
                                  quantity(w.F(w.record.after.F).determinant(), "", 5));
   if (!context.selected_node) return;
+  // The state at hand is the one that the step led to: its weights are the next step's.
+  const auto& looked = context.looked;
+  if (!looked || looked->step != w.record.step || !looked->particle ||
+      looked->particle->state.id != *context.selected_particle)
+    return;
   double fresh = 0;
-  for (const NodeWeight& n : weights_at(*basis, w.record.spacing, w.d, x))
+  for (const NodeWeight& n : looked->particle->nodes)
     if (n.node == *context.selected_node) fresh = n.w;
   property("Its weight at " + index_text(*context.selected_node, w.d),
            quantity(w.w, "", 3) + " \xe2\x86\x92 " + quantity(fresh, "", 3));

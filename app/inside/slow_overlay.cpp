@@ -6,7 +6,7 @@
 
 #include "app/inside/marks.hpp"
 #include "app/inside/step_player.hpp"
-#include "core/bases/basis.hpp"
+#include "core/look.hpp"
 
 namespace pf::app {
 
@@ -71,12 +71,11 @@ double largest_of(const std::vector<double>& values, int dimension) {
 
 /// Lines between the watched particle and its nodes; dots run along them, towards the nodes or back.
 void draw_traffic(const Scenery& s, const Vec3& at, double run, bool towards_nodes) {
-  const BasisInfo* basis = find_basis(s.player.scene().grid.basis);
   const auto p = s.context.selected_particle ? s.player.find_particle(*s.context.selected_particle) : std::nullopt;
   const auto centre = s.map.to_pixel(at);
-  if (basis == nullptr || !p || !centre) return;
-  const Vec3 x = entry(s.record().before.x, *p, s.record().dimension);
-  for (const NodeWeight& n : weights_at(*basis, s.record().spacing, s.record().dimension, x)) {
+  if (!p || !centre) return;
+  for (const NodeWeight& n : recorded_weights(s.record(), *p)) {
+    if (n.w == 0) continue;  // beyond its domain
     const auto i = s.player.find_node(n.node);
     if (!i || !s.player.draws(*i)) continue;
     const auto end = s.map.to_pixel(s.place(*i));

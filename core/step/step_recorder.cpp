@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/step/plan_weights.hpp"
+
 namespace pf {
 
 namespace {
@@ -48,7 +50,23 @@ void StepRecorder<D>::begin_step(long step, double time, double dt, StepConditio
   const std::size_t n = particles_.size();
   r.id = particles_.id;
   r.particle_mass = particles_.mass;
+  keep_weights();
   r.before = {numbers(particles_.x.data(), n), numbers(particles_.v.data(), n), numbers(particles_.F.data(), n)};
+}
+
+template <int D>
+void StepRecorder<D>::keep_weights() {
+  StepRecord& r = *record_;
+  r.nodes_per_axis = plan_.nodes_per_axis();
+  for (std::size_t p = 0; p < particles_.size(); ++p) {
+    const std::vector<NodeWeight> nodes = weights_in(plan_, p);
+    if (p == 0) r.weights.reserve(particles_.size() * nodes.size() * (1 + D));
+    for (std::size_t a = 0; a < D; ++a) r.first_node.push_back(nodes.front().node[a]);
+    for (const NodeWeight& n : nodes) {
+      r.weights.push_back(static_cast<float>(n.w));
+      for (int a = 0; a < D; ++a) r.weights.push_back(static_cast<float>(n.grad[a]));
+    }
+  }
 }
 
 template <int D>

@@ -28,6 +28,7 @@ class StepRecorder final : public StepObserver {
 
  private:
   bool all() const { return level_ == RecordLevel::all; }
+  void keep_weights();
   void find_worst(const Vector& left, IterateRecord& iterate) const;
 
   RecordLevel level_;

@@ -270,6 +270,43 @@ TEST_CASE("a recorded step balances its forces at every iterate and moves the pa
   }
 }
 
+TEST_CASE("a recorded step has its own weights, averaged over turned domains and ended at walls") {
+  for (const int d : {2, 3}) {
+    for (const char* basis : {"quadratic", "gimp"}) {
+      CAPTURE(d);
+      CAPTURE(basis);
+      const auto simulation = make_simulation(parse_scene(spinning(d, basis).dump(), "test"), {1, ""});
+      for (int k = 0; k < 10; ++k) simulation->step();
+      simulation->set_recording(RecordLevel::all);
+      REQUIRE(simulation->step().status == StepStatus::accepted);
+      const StepRecord& r = *simulation->record();
+      const auto nodes = nodes_of(r);
+      double largest = 0, worst = 0, centre = 0;
+      for (std::size_t p = 0; p < r.id.size(); ++p) {
+        const Vec3 x = component(r.before.x, p, d), after = component(r.after.x, p, d);
+        Vec3 moved = Vec3::Zero(), by_centre = Vec3::Zero();
+        double sum = 0;
+        for (const NodeWeight& n : recorded_weights(r, p)) {
+          sum += n.w;
+          if (const auto at = nodes.find(n.node); at != nodes.end())
+            moved += n.w * component(r.node_displacement, at->second, d);
+          else
+            CHECK(n.w == 0);
+        }
+        for (const NodeWeight& n : weights_at(*find_basis(basis), r.spacing, d, x))
+          if (const auto at = nodes.find(n.node); at != nodes.end())
+            by_centre += n.w * component(r.node_displacement, at->second, d);
+        CHECK(sum == doctest::Approx(1).epsilon(1e-6));
+        largest = std::max(largest, (after - x).norm());
+        worst = std::max(worst, (x + moved - after).norm());
+        centre = std::max(centre, (x + by_centre - after).norm());
+      }
+      CHECK(worst < 1e-6 * largest);
+      if (find_basis(basis)->averaged()) CHECK(centre > 1e-4 * largest);  // what the centre alone would tell
+    }
+  }
+}
+
 TEST_CASE("recording changes no bit of a step and none of the counted work, under any integrator") {
   for (const char* integrator :
        {"backward_euler", "implicit_midpoint", "trapezoidal", "tr_bdf2", "generalized_alpha", "symplectic_euler"}) {
