@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/compare/desk.hpp"
+#include "app/field_menu.hpp"
 #include "app/inside/step_player.hpp"
 #include "app/panels/memory.hpp"
 #include "app/workbench.hpp"
@@ -107,9 +108,7 @@ bool Workbench::possible(Action action) const {
 
 bool Workbench::offers_field(int index) const {
   if (index < 0 || static_cast<std::size_t>(index) >= fields().size()) return false;
-  const Field field = fields()[static_cast<std::size_t>(index)].field;
-  if (field == Field::error) return !context_.scene.exact_position.empty();
-  return field != Field::material || context_.scene.materials.size() > 1;
+  return offers(context_.scene, fields()[static_cast<std::size_t>(index)]);
 }
 
 void Workbench::act(Action action, int index) {
@@ -183,6 +182,9 @@ void Workbench::act(Action action, int index) {
     case Action::vectors:
       view.show_velocities = !view.show_velocities;
       break;
+    case Action::crosses:
+      view.show_crosses = !view.show_crosses;
+      break;
     case Action::bent_grid:
       view.show_bent_grid = !view.show_bent_grid;
       break;
@@ -192,9 +194,8 @@ void Workbench::act(Action action, int index) {
       break;
     case Action::field:
       if (!offers_field(index)) return;
-      view.field = fields()[static_cast<std::size_t>(index)].field;
+      view.color_by(fields()[static_cast<std::size_t>(index)].field);
       if (context_.compare) context_.compare->difference = false;
-      view.lock_range = false;
       break;
     case Action::hide_panels:
       view.hide_panels = !view.hide_panels;
@@ -274,8 +275,8 @@ void Workbench::show_scene(const Scene& scene, const fs::path& file, bool run) {
   context_.selected_node.reset();
   context_.selected_item.reset();
   context_.inspected.reset();
-  if (const FieldInfo* info = find_field(scene.view.color_by)) context_.view.field = info->field;
-  context_.view.lock_range = false;
+  const FieldInfo* info = find_field(scene.view.color_by);
+  context_.view.color_by(info ? info->field : context_.view.field);
   fit_next_run_ = true;
   requested_ = snapshot_request(render_options(context_, 1));
   session_.request(requested_);

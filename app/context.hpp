@@ -24,10 +24,14 @@ struct ViewState {
   Field field = Field::speed;
   bool lock_range = false;
   double range_min = 0, range_max = 1;  ///< of the colour map, in the field's unit
+  bool log_colors = false;
+  std::optional<bool> symmetric = {};  ///< about the field's centre; nothing: as the field is
+  bool show_histogram = true;          ///< beside the colour bar
   bool show_particles = true;
   bool deformed_particles = true;  ///< 2D: squares mapped by F; 3D: F-ellipsoids; else points, spheres
   bool show_grid = false;          ///< lattice, active cells and nodes
   bool show_velocities = false;    ///< node velocities as arrows
+  bool show_crosses = false;       ///< principal stresses
   bool show_bent_grid = false;     ///< images of the grid lines under phi^
   double bent_magnification = 1;
   bool show_boundaries = true;
@@ -35,6 +39,13 @@ struct ViewState {
   Theme theme = Theme::dark;
   float ui_scale = 1;
   bool hide_panels = false;  ///< Tab
+
+  /// With the range and scale that the field itself has.
+  void color_by(Field by) {
+    field = by;
+    lock_range = log_colors = false;
+    symmetric.reset();
+  }
 };
 
 /// What a scene is made of, as the outline lists it.

@@ -47,6 +47,9 @@ RenderOptions render_options(const AppContext& context, float pixel_scale) {
   RenderOptions o;
   o.field = view.field;
   if (view.lock_range) o.range = ValueRange{view.range_min, view.range_max};
+  o.logarithmic = view.log_colors;
+  o.symmetric = view.symmetric;
+  o.stress_crosses = view.show_crosses && !context.slow;
   o.particles = view.show_particles;
   o.deformed = view.deformed_particles;
   o.grid = view.show_grid;
@@ -64,6 +67,8 @@ RenderOptions render_options(const AppContext& context, float pixel_scale) {
   if (comparing(context) && context.compare->difference) {
     o.field = Field::error;
     o.range.reset();
+    o.logarithmic = false;
+    o.symmetric.reset();
   }
   o.pixel_scale = pixel_scale;
   o.theme = view.theme == Theme::dark ? RenderTheme::dark() : RenderTheme::light();
@@ -293,8 +298,10 @@ void GlView::draw_overlay(AppContext& context, ImDrawList& list) {
   ImGuiPainter scaled(list, scale);
   OverlayInfo info = OverlayInfo::of(*context.snapshot, renderer_, options, camera_, size_);
   info.clock = context.view.hide_panels;  // else the bar below has it
-  pf::draw_overlay(info, options.theme, scaled, {where_.x / scale, where_.y / scale},
-                   {where_.right() / scale, where_.bottom() / scale});
+  if (context.view.show_histogram) info.histogram = counts(context, info);
+  const Point2 low{where_.x / scale, where_.y / scale}, high{where_.right() / scale, where_.bottom() / scale};
+  pf::draw_overlay(info, options.theme, scaled, low, high);
+  color_bar_.draw(context, info, low, high, scale, list);
   draw_tool(context, list);
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/color_bar_control.hpp"
 #include "app/context.hpp"
 #include "app/layout.hpp"
 #include "app/tools/tool.hpp"
@@ -56,6 +57,7 @@ class GlView {
   bool software() const { return renderer_.software(); }
   /// Seconds until the last picture, drawn in haste, deserves a better one; nothing when it is as good as can be.
   std::optional<double> refines_in() const;
+  const ColorBarControl& color_bar() const { return color_bar_; }
   bool tool_holds() const { return held_; }
   const Camera& camera() const { return camera_; }
   const Rect& place() const { return where_; }
@@ -66,6 +68,8 @@ class GlView {
  private:
   using Clock = std::chrono::steady_clock;
   friend class CameraMap;
+  /// How many values there are along the colour bar, counted once a picture.
+  const std::vector<float>& counts(const AppContext& context, const OverlayInfo& info);
   void draw_tool(AppContext& context, ImDrawList& list);
   ViewMouse mouse_now(const AppContext& context, bool pick) const;
   Vec<2> to_view_pixel(Point2 window) const;
@@ -87,6 +91,17 @@ class GlView {
   void follow_camera(const Snapshot& snapshot);
   /// Whether all corners are in the picture, clear of what is written over it.
   bool in_sight(const ViewBounds& bounds) const;
+
+  struct Counted {
+    std::shared_ptr<const Snapshot> snapshot;
+    Field field = Field::speed;
+    ColorScale scale = ColorScale::from_zero;
+    ValueRange range;
+    bool operator==(const Counted&) const = default;
+  };
+  Counted counted_;
+  std::vector<float> counts_;
+  ColorBarControl color_bar_;
 
   Renderer renderer_;
   std::optional<OffscreenTarget> target_;

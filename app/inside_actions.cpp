@@ -4,7 +4,7 @@
 
 #include "app/inside/step_player.hpp"
 #include "app/workbench.hpp"
-#include "core/bases/basis.hpp"
+#include "core/look.hpp"
 
 namespace pf::app {
 
@@ -18,12 +18,11 @@ void choose_watched(AppContext& context) {
   if (!context.selected_particle || !player.find_particle(*context.selected_particle))
     context.selected_particle = player.remarkable_particle();
   const auto p = player.find_particle(*context.selected_particle);
-  const BasisInfo* basis = find_basis(player.scene().grid.basis);
-  if (!p || basis == nullptr || (context.selected_node && player.find_node(*context.selected_node))) return;
-  const auto nodes = weights_at(*basis, r.spacing, r.dimension, entry(r.before.x, *p, r.dimension));
+  if (!p || (context.selected_node && player.find_node(*context.selected_node))) return;
+  const std::vector<NodeWeight> nodes = recorded_weights(r, *p);
   const auto heaviest =
       std::max_element(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) { return a.w < b.w; });
-  context.selected_node = heaviest->node;
+  if (heaviest != nodes.end()) context.selected_node = heaviest->node;
 }
 
 }  // namespace
@@ -60,7 +59,8 @@ void Workbench::close_slow_step() {
 }
 
 void Workbench::watch() {
-  const bool wanted = context_.wants_record || context_.selected_node.has_value();
+  const bool wanted =
+      context_.wants_record || context_.selected_node.has_value() || context_.view.field == Field::node_residual;
   const RecordLevel level = wanted ? RecordLevel::residuals : RecordLevel::none;
   if (level == watched_) return;
   watched_ = level;

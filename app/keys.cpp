@@ -42,6 +42,7 @@ constexpr std::array bindings{
     KeyBinding{Action::fit, GLFW_KEY_F, 0, 1, "F", "Fit the view", "View"},
     KeyBinding{Action::grid, GLFW_KEY_G, 0, 1, "G", "Grid", "View"},
     KeyBinding{Action::vectors, GLFW_KEY_V, 0, 1, "V", "Velocity vectors", "View"},
+    KeyBinding{Action::crosses, GLFW_KEY_X, 0, 1, "X", "Principal stress crosses", "View"},
     KeyBinding{Action::bent_grid, 0, 0, 1, "", "Grid bent by the step", "View"},
     KeyBinding{Action::shapes, GLFW_KEY_N, 0, 1, "N", "Shape functions under the mouse", "View"},
     KeyBinding{Action::field, GLFW_KEY_1, 0, 9, "1–9", "Colour by the nth field", "View"},

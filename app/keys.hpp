@@ -29,6 +29,7 @@ enum class Action {
   fit,
   grid,
   vectors,
+  crosses,
   bent_grid,
   shapes,
   field,

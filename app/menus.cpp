@@ -5,11 +5,12 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/compare/desk.hpp"
+#include "app/field_menu.hpp"
 #include "app/lessons/desk.hpp"
 #include "app/studies/desk.hpp"
 #include "app/theme.hpp"
 #include "app/workbench.hpp"
-#include "core/diagnostics/fields.hpp"
 
 namespace pf::app {
 
@@ -136,18 +137,15 @@ void Workbench::draw_view_menu() {
   ViewState& view = context_.view;
   menu_item(Action::fit);
   if (ImGui::BeginMenu("Colour by")) {
-    int index = 0;
-    for (const FieldInfo& info : fields()) {
-      const std::string key = std::to_string(index + 1);
-      if (ImGui::MenuItem(std::string(info.label).c_str(), key.c_str(), view.field == info.field, offers_field(index)))
-        act(Action::field, index);
-      ++index;
-    }
+    const Field before = view.field;
+    draw_field_menu(context_);
+    if (view.field != before && context_.compare) context_.compare->difference = false;
     ImGui::EndMenu();
   }
   ImGui::Separator();
   menu_item(Action::grid, view.show_grid);
   menu_item(Action::vectors, view.show_velocities);
+  menu_item(Action::crosses, view.show_crosses);
   menu_item(Action::bent_grid, view.show_bent_grid);
   menu_item(Action::shapes, view.show_shapes);
   ImGui::Separator();

@@ -37,6 +37,7 @@ class SnapshotPool {
   static void empty(Snapshot& snapshot) {
     snapshot.particles = snapshot.nodes = 0;
     snapshot.v.clear();
+    snapshot.stress.clear();
     for (auto& values : snapshot.field) values.clear();
     snapshot.node_index.clear();
     snapshot.node_mass.clear();

@@ -30,6 +30,18 @@ Camera camera_for(Camera camera, ViewSize view, ViewSize picture, double finer) 
 
 }  // namespace
 
+const std::vector<float>& GlView::counts(const AppContext& context, const OverlayInfo& info) {
+  constexpr int bins = 48;
+  const Counted wanted{context.snapshot, info.field, info.scale, info.range};
+  if (wanted == counted_) return counts_;
+  counted_ = wanted;
+  counts_.clear();
+  const auto& values = context.snapshot->field[static_cast<std::size_t>(info.field)];
+  if (info.scale != ColorScale::categorical && !values.empty() && info.range.max > info.range.min)
+    counts_ = histogram(values, info.range, info.scale, bins);
+  return counts_;
+}
+
 Image GlView::picture(const AppContext& context, const PictureRequest& request) {
   const ViewSize size = picture_size(request, size_);
   const double finer =
@@ -47,6 +59,7 @@ Image GlView::picture(const AppContext& context, const PictureRequest& request) 
   if (!request.overlay) return image;
   OverlayInfo info = OverlayInfo::of(*context.snapshot, renderer_, options, camera, size);
   info.title = context.scene.name;
+  if (context.view.show_histogram) info.histogram = counts(context, info);
   PngPainter painter(image, options.pixel_scale);
   pf::draw_overlay(
       info, options.theme, painter, {0, 0},

@@ -190,7 +190,7 @@ void Workbench::follow_session() {
   follow_slow_step();
   SnapshotRequest wanted = snapshot_request(render_options(context_, 1));
   wanted.stable_step = wants_stable_step(context_);
-  if (wanted.fields != requested_.fields || wanted.grid != requested_.grid ||
+  if (wanted.fields != requested_.fields || wanted.grid != requested_.grid || wanted.stress != requested_.stress ||
       wanted.stable_step != requested_.stable_step) {
     requested_ = wanted;
     session_.request(wanted);

@@ -16,10 +16,11 @@ namespace pf {
 
 /// What a snapshot shall hold besides positions, F, volumes and ids.
 struct SnapshotRequest {
-  unsigned fields = 1u << static_cast<unsigned>(Field::speed);  ///< bit per Field
-  bool grid = false;                                            ///< nodes
-  bool velocities = false;                                      ///< particle velocities
-  bool stable_step = false;                                     ///< how long an explicit step could be
+  std::uint64_t fields = field_bit(Field::speed);  ///< field_bit of each; those of nodes need `grid`
+  bool grid = false;                               ///< nodes
+  bool velocities = false;                         ///< particle velocities
+  bool stable_step = false;                        ///< how long an explicit step could be
+  bool stress = false;                             ///< of particles, whole tensors
 };
 
 /// A rigid solid of the scene as it is drawn. `distance` is the signed distance at t = 0, negative in the solid;
@@ -57,7 +58,8 @@ struct Snapshot {
   std::vector<float> F;                               ///< dimension^2 each, column-major
   std::vector<float> volume0;                         ///< V_p^0 [m^dimension]
   std::vector<float> v;                               ///< [m/s], if requested
-  std::array<std::vector<float>, field_count> field;  ///< by Field, empty unless requested
+  std::vector<float> stress;                          ///< Cauchy, xx yy zz xy yz xz each [Pa], if requested
+  std::array<std::vector<float>, field_count> field;  ///< by Field, empty unless requested; of particles or of nodes
 
   // Active grid nodes of the last step, if requested: where they were at t^n and what the step did to them.
   std::size_t nodes = 0;

@@ -34,8 +34,14 @@ void ColorTexture::bind(FieldScale scale) {
   filled_[k] = true;
 }
 
+float shown_value(const Frame& frame, std::size_t p) {
+  const float value = color_value(frame.snapshot, frame.options.field, p);
+  return frame.color_scale() == ColorScale::logarithmic ? std::log10(std::abs(value)) : value;
+}
+
 float color_value(const Snapshot& snapshot, Field field, std::size_t p) {
   const auto& values = snapshot.field[static_cast<std::size_t>(field)];
+  if (field_info(field).on_nodes) return std::numeric_limits<float>::quiet_NaN();
   if (p < values.size()) return values[p];
   if (field == Field::material && p < snapshot.material.size()) return static_cast<float>(snapshot.material[p] % 256);
   return std::numeric_limits<float>::quiet_NaN();

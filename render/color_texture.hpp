@@ -10,6 +10,8 @@
 
 namespace pf {
 
+struct Frame;
+
 class ColorTexture {
  public:
   /// Binds the map of `scale` to texture unit 0.
@@ -24,5 +26,7 @@ class ColorTexture {
 std::array<std::uint8_t, 1024> field_texels(FieldScale scale);
 /// The value that particle p is coloured by; NaN when the snapshot does not hold the field.
 float color_value(const Snapshot& snapshot, Field field, std::size_t p);
+/// As the shaders map it: the value, or its logarithm. See Frame::shown_range().
+float shown_value(const Frame& frame, std::size_t p);
 
 }  // namespace pf

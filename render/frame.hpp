@@ -36,6 +36,12 @@ struct Frame {
   bool flat() const { return std::holds_alternative<Camera2D>(camera); }
   float scale() const { return options.pixel_scale; }
   glm::vec2 size() const { return {viewport.size.width, viewport.size.height}; }
+  ColorScale color_scale() const { return pf::color_scale(options); }
+  /// What shown_value() has at the ends of the colour map.
+  glm::vec2 shown_range() const {
+    if (color_scale() != ColorScale::logarithmic) return {range.min, range.max};
+    return {std::log10(range.min), std::log10(range.max)};
+  }
   /// Size of the view [m].
   double extent() const { return std::max(viewport.size.width, viewport.size.height) / pixels_per_metre; }
 };
@@ -68,7 +74,8 @@ struct DataKey {
   double time = 0;
   std::size_t particles = 0, nodes = 0, values = 0;
   Field field = Field::speed;
-  double extra = 0;  ///< whatever else a layer's data depend on
+  double extra = 0;          ///< whatever else a layer's data depend on
+  bool logarithmic = false;  ///< values are uploaded as logarithms
   bool operator==(const DataKey&) const = default;
 
   static DataKey of(const Frame& f, double extra = 0) {
@@ -81,7 +88,8 @@ struct DataKey {
             s.nodes,
             s.field[static_cast<std::size_t>(f.options.field)].size(),
             f.options.field,
-            extra};
+            extra,
+            color_scale(f.options) == ColorScale::logarithmic};
   }
 };
 

@@ -3,6 +3,8 @@
 #include <array>
 #include <unordered_map>
 
+#include "core/charts/colormap.hpp"
+
 namespace pf {
 
 namespace {
@@ -37,6 +39,12 @@ double percentile95(std::vector<double>& values) {
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   return *at;
+}
+
+/// The nodes have the field's colours.
+bool colored(const Frame& frame) {
+  return field_info(frame.options.field).on_nodes &&
+         frame.snapshot.field[static_cast<std::size_t>(frame.options.field)].size() == frame.snapshot.nodes;
 }
 
 bool has_nodes(const Snapshot& s) {
@@ -90,6 +98,19 @@ void GridLayer::upload_nodes(const Frame& frame) {
   const float radius = static_cast<float>(std::clamp(0.07 * cell, 0.8, 3.0));
   const float fade = static_cast<float>(std::clamp((cell - 4) / 6, 0.0, 1.0));
   std::vector<Mark> marks;
+  if (colored(frame)) {
+    const auto& values = s.field[static_cast<std::size_t>(frame.options.field)];
+    const bool diverging = frame.color_scale() == ColorScale::symmetric;
+    const float dot = static_cast<float>(std::clamp(0.24 * cell, 2.0, 7.0));
+    for (std::size_t i = 0; i < s.nodes; ++i) {
+      const double u = map_position(values[i], frame.range, frame.color_scale());
+      const Color color = sample(diverging ? ColormapKind::diverging : ColormapKind::sequential, u);
+      const glm::vec3 at = relative(node_position(s, i), node_anchor_);
+      marks.push_back({at, rgba8(frame.theme().arrow_rim), dot + 1, static_cast<float>(MarkStyle::dot)});
+      marks.push_back({at, rgba8(color), dot, static_cast<float>(MarkStyle::dot)});
+    }
+    return nodes_.upload({}, marks);
+  }
   for (std::size_t i = 0; i < s.nodes; ++i) {
     const glm::vec3 at = relative(node_position(s, i), node_anchor_);
     const std::uint8_t bits = state(s, i);
@@ -171,10 +192,12 @@ void GridLayer::draw(const Frame& frame, InkPrograms& ink) {
     bent_key_ = key;
     bent_.draw(ink, frame, bent_anchor_, 1.2f, 0, frame.theme().arrow_rim);
   }
-  if (frame.options.grid) {
+  if (frame.options.grid || colored(frame)) {
     const DataKey key = DataKey::of(frame, frame.pixels_per_metre);
-    if (key != node_key_ || !node_anchor_.serves(frame)) upload_nodes(frame);
+    const ValueRange range = colored(frame) ? frame.range : ValueRange{};
+    if (key != node_key_ || range != node_range_ || !node_anchor_.serves(frame)) upload_nodes(frame);
     node_key_ = key;
+    node_range_ = range;
     nodes_.draw(ink, frame, node_anchor_, 1);
   }
   if (frame.options.velocities && s.node_velocity.size() >= components) {

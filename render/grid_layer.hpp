@@ -26,6 +26,7 @@ class GridLayer {
   gl::Batch cells_;
   Ink nodes_, arrows_, bent_;
   Anchor cell_anchor_, node_anchor_, arrow_anchor_, bent_anchor_;
+  ValueRange node_range_;  ///< of their colours
   DataKey cell_key_, node_key_, arrow_key_, bent_key_;
   double reference_speed_ = 0;  ///< 95th percentile of node speeds, falling slowly [m/s]
   double arrow_scale_ = 0;      ///< [px s/m]

@@ -6,6 +6,7 @@
 
 #include "core/charts/ticks.hpp"
 #include "render/color_bar.hpp"
+#include "render/cross_layer.hpp"
 
 namespace pf {
 
@@ -124,15 +125,45 @@ float draw_scale_bar(const OverlayInfo& info, const RenderTheme& theme, Painter&
   return x + std::max(width, painter.text_width(length.text, small_size)) + 32;
 }
 
-void draw_arrow_key(const OverlayInfo& info, const RenderTheme& theme, Painter& painter, float x, float y) {
-  const double units_per_speed = info.arrow_pixels_per_speed / info.pixel_scale;
-  if (!(units_per_speed > 0)) return;
-  const double most = 70 / units_per_speed;
+/// 1, 2 or 5 times a power of ten.
+double round_below(double most) {
   const double power = std::pow(10.0, std::floor(std::log10(most)));
-  const double speed = power * (most >= 5 * power ? 5 : most >= 2 * power ? 2 : 1);
+  return power * (most >= 5 * power ? 5 : most >= 2 * power ? 2 : 1);
+}
+
+/// Returns the x where the next thing may begin.
+float draw_arrow_key(const OverlayInfo& info, const RenderTheme& theme, Painter& painter, float x, float y) {
+  const double units_per_speed = info.arrow_pixels_per_speed / info.pixel_scale;
+  if (!(units_per_speed > 0)) return x;
+  const double speed = round_below(70 / units_per_speed);
   const auto length = static_cast<float>(speed * units_per_speed);
   arrow(painter, theme, {x, y - 2}, {x + length, y - 2}, theme.arrow);
-  text_with_rim(painter, theme, {x, y - 11}, number_text(speed, 2) + " m/s", small_size, theme.text);
+  const std::string text = number_text(speed, 2) + " m/s";
+  text_with_rim(painter, theme, {x, y - 11}, text, small_size, theme.text);
+  return x + std::max(length, painter.text_width(text, small_size)) + 32;
+}
+
+void draw_cross_key(const OverlayInfo& info, const RenderTheme& theme, Painter& painter, float x, float y) {
+  const double units_per_pascal = info.cross_pixels_per_pascal / info.pixel_scale;
+  if (!(units_per_pascal > 0)) return;
+  const double stress = round_below(40 / units_per_pascal);
+  const auto length = static_cast<float>(stress * units_per_pascal);
+  constexpr std::array prefixes{std::pair{1e9, "GPa"}, std::pair{1e6, "MPa"}, std::pair{1e3, "kPa"}};
+  std::string text = number_text(stress, 2) + " Pa";
+  for (const auto& [size, unit] : prefixes)
+    if (stress >= 0.999 * size) {
+      text = number_text(stress / size, 2) + " " + unit;
+      break;
+    }
+  float at = x;
+  for (const auto& [color, name] : {std::pair{tension_color(theme), std::string("tension")},
+                                    {compression_color(theme), std::string("compression")}}) {
+    const std::array line{Point2{at, y - 2}, Point2{at + length, y - 2}};
+    line_with_rim(painter, theme, line, color, 2.4f);
+    const std::string words = name == "tension" ? text + " " + name : name;
+    text_with_rim(painter, theme, {at, y - 11}, words, small_size, theme.text);
+    at += std::max(length, painter.text_width(words, small_size)) + 16;
+  }
 }
 
 }  // namespace
@@ -166,6 +197,8 @@ OverlayInfo OverlayInfo::of(const Snapshot& snapshot, const Renderer& renderer, 
   info.size = size;
   info.pixel_scale = options.pixel_scale;
   info.arrow_pixels_per_speed = renderer.arrow_pixels_per_speed();
+  info.cross_pixels_per_pascal = renderer.cross_pixels_per_pascal();
+  info.scale = color_scale(options);
   return info;
 }
 
@@ -184,7 +217,8 @@ void draw_overlay(const OverlayInfo& info, const RenderTheme& theme, Painter& pa
   const float y = max.y - margin;
   if (info.axes) x = draw_axes(info, theme, painter, min, max);
   if (info.scale_bar) x = draw_scale_bar(info, theme, painter, x, y, std::min(120.f, 0.25f * (max.x - min.x)));
-  draw_arrow_key(info, theme, painter, x, y);
+  x = draw_arrow_key(info, theme, painter, x, y);
+  draw_cross_key(info, theme, painter, x, y);
   painter.pop_clip();
 }
 

@@ -2,6 +2,7 @@
 // abstract Painter, so that the window and picture files show the same.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,9 +21,12 @@ struct OverlayInfo {
   ValueRange range;                         ///< Renderer::range()
   std::vector<std::string> material_names;  ///< key to the categorical colours
   Camera camera;
-  ViewSize size;                      ///< framebuffer pixels that `camera` was used with
-  float pixel_scale = 1;              ///< framebuffer pixels a unit of the painter
-  double arrow_pixels_per_speed = 0;  ///< Renderer::arrow_pixels_per_speed(); 0: no key to arrows
+  ViewSize size;                       ///< framebuffer pixels that `camera` was used with
+  float pixel_scale = 1;               ///< framebuffer pixels a unit of the painter
+  double arrow_pixels_per_speed = 0;   ///< Renderer::arrow_pixels_per_speed(); 0: no key to arrows
+  double cross_pixels_per_pascal = 0;  ///< Renderer::cross_pixels_per_pascal(); 0: no key to crosses
+  ColorScale scale = ColorScale::from_zero;
+  std::vector<float> histogram;  ///< counts from the lower end of the bar to the upper; empty: none is shown
   bool color_bar = true, scale_bar = true, axes = true, clock = true;
 
   /// Everything that a snapshot and the renderer that drew it know.
@@ -32,6 +36,13 @@ struct OverlayInfo {
 
 /// Into the rectangle from `min` to `max`, in the painter's units; nothing overlaps from 320 x 240 units on.
 void draw_overlay(const OverlayInfo& info, const RenderTheme& theme, Painter& painter, Point2 min, Point2 max);
+
+/// Where the colour bar itself is, in the painter's units; nothing where none is drawn.
+struct BarPlace {
+  Point2 min, max;              ///< of the coloured bar: its upper end is the largest value
+  Point2 panel_min, panel_max;  ///< with all that is written beside it
+};
+std::optional<BarPlace> color_bar_place(const OverlayInfo& info, Painter& painter, Point2 min, Point2 max);
 
 /// Room that the overlay needs around the content [units of the painter]: margins for Camera's fit.
 ViewMargins overlay_margins(int dimension);

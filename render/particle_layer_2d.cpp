@@ -47,7 +47,7 @@ void ParticleLayer2D::upload(const Frame& frame) {
     const glm::vec3 x = relative(component_vector(s.x, p, 2), anchor_);
     const glm::vec4 F =
         has_F ? glm::vec4(s.F[4 * p], s.F[4 * p + 1], s.F[4 * p + 2], s.F[4 * p + 3]) : glm::vec4(1, 0, 0, 1);
-    const float J = determinant(F), value = color_value(s, frame.options.field, p);
+    const float J = determinant(F), value = shown_value(frame, p);
     const float side = p < s.volume0.size() ? std::sqrt(s.volume0[p]) : 0.5f * static_cast<float>(s.spacing);
     if (!cheap_) squares.push_back({{x.x, x.y}, F, side, value});
     if (!(J > 0)) marks.push_back({x, rgba8(frame.theme().inverted), 5, static_cast<float>(MarkStyle::cross)});
@@ -66,7 +66,7 @@ void ParticleLayer2D::draw_squares(const Frame& frame) {
   squares_.set("u_pixels_per_metre", static_cast<float>(frame.pixels_per_metre));
   squares_.set("u_round", !frame.options.deformed);
   squares_.set("u_scale", frame.scale());
-  squares_.set("u_range", glm::vec2(frame.range.min, frame.range.max));
+  squares_.set("u_range", frame.shown_range());
   squares_.set("u_rim", frame.theme().outline);
   squares_.set("u_map", 0);
   // A thin line around bodies sets dark ones off from a dark background. It doubles the work.
@@ -93,7 +93,7 @@ void ParticleLayer2D::draw(const Frame& frame, ColorTexture& colors, InkPrograms
   if (cheap_) {
     splats_.draw(frame);
   } else {
-    colors.bind(field_info(frame.options.field).scale);
+    colors.bind(map_of(frame.color_scale()));
     draw_squares(frame);
   }
   marks_.draw(ink, frame, anchor_, 1);

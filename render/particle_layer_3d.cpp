@@ -57,7 +57,7 @@ void ParticleLayer3D::upload(const Frame& frame) {
     const float* f = s.F.data() + 9 * p;
     const glm::mat3 F = has_F ? glm::mat3(f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7], f[8]) : glm::mat3(1);
     const float side = p < s.volume0.size() ? std::cbrt(s.volume0[p]) : 0.5f * static_cast<float>(s.spacing);
-    const float value = color_value(s, frame.options.field, p);
+    const float value = shown_value(frame, p);
     const bool drawn = hidden.empty() || hidden[p] == 0;
     if (drawn && cheap_)
       points.push_back({x, 2 * unit_ball * side * std::cbrt(std::clamp(glm::determinant(F), 0.1f, 4.f)), value});
@@ -97,8 +97,8 @@ Program& ParticleLayer3D::balls(const Frame& frame, const glm::mat4& view, const
 
 void ParticleLayer3D::draw(const Frame& frame, const glm::mat4& view, const glm::mat4& projection, const Shadow& shadow,
                            ColorTexture& colors) {
-  const glm::vec2 range(frame.range.min, frame.range.max);
-  colors.bind(field_info(frame.options.field).scale);
+  const glm::vec2 range = frame.shown_range();
+  colors.bind(map_of(frame.color_scale()));
   if (cheap_) {
     points_.use();
     points_.set("u_view_projection", frame.view_projection);

@@ -88,8 +88,9 @@ Image draw_picture(const Snapshot& snapshot, const PictureOptions& options) {
 
 SnapshotRequest snapshot_request(const RenderOptions& options) {
   SnapshotRequest request;
-  request.fields = 1u << static_cast<unsigned>(options.field);
-  request.grid = options.grid || options.velocities || options.bent_grid;
+  request.fields = field_bit(options.field);
+  request.grid = options.grid || options.velocities || options.bent_grid || field_info(options.field).on_nodes;
+  request.stress = options.stress_crosses;
   return request;
 }
 

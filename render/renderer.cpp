@@ -8,6 +8,7 @@
 #include "render/backdrop.hpp"
 #include "render/background.hpp"
 #include "render/boundary_layer_2d.hpp"
+#include "render/cross_layer.hpp"
 #include "render/grid_layer.hpp"
 #include "render/particle_layer_2d.hpp"
 #include "render/view_3d.hpp"
@@ -54,6 +55,7 @@ struct Renderer::Impl {
   BoundaryLayer2D boundaries_2d;
   ParticleLayer2D particles_2d;
   GridLayer grid;
+  CrossLayer crosses;
   View3D view_3d;
   Ink grab;
   Anchor grab_anchor;
@@ -62,6 +64,7 @@ struct Renderer::Impl {
   ValueRange range;
   RenderTheme theme;
   Field field = Field::speed;
+  ColorScale scale = ColorScale::from_zero;
   std::shared_ptr<const SceneView> scene;  // kept alive, so that its address identifies it
   bool software = false;
 
@@ -71,6 +74,7 @@ struct Renderer::Impl {
     particles_2d.invalidate();
     view_3d.invalidate();
     grid.invalidate();
+    crosses.invalidate();
   }
   void update_range(Frame& frame);
   void draw_flat(Frame& frame);
@@ -78,16 +82,21 @@ struct Renderer::Impl {
 
 void Renderer::Impl::update_range(Frame& frame) {
   const FieldInfo& info = field_info(frame.options.field);
-  if (field != info.field) auto_range.reset();
+  const ColorScale now = color_scale(frame.options);
+  if (field != info.field || scale != now) auto_range.reset();
   field = info.field;
   const DataKey key = DataKey::of(frame);
-  if (key != range_key) auto_range.update(frame.snapshot.field[static_cast<std::size_t>(info.field)], info);
+  if (key != range_key || scale != now)
+    auto_range.update(frame.snapshot.field[static_cast<std::size_t>(info.field)], info, now);
   range_key = key;
+  scale = now;
   range = auto_range.range();
-  if (info.scale == FieldScale::categorical)
+  const auto& wanted = frame.options.range;
+  const bool usable = wanted && wanted->max > wanted->min && (now != ColorScale::logarithmic || wanted->min > 0);
+  if (now == ColorScale::categorical)
     range = {0, 255};
-  else if (frame.options.range && frame.options.range->max > frame.options.range->min)
-    range = *frame.options.range;
+  else if (usable)
+    range = *wanted;
   frame.range = range;
 }
 
@@ -111,6 +120,7 @@ void Renderer::Impl::draw_flat(Frame& frame) {
   if (frame.options.particles) particles_2d.draw(frame, colors, ink);
   if (frame.options.regions) boundaries_2d.draw_regions(frame);
   grid.draw(frame, ink);
+  crosses.draw(frame, ink);
 }
 
 Renderer::Renderer() {
@@ -142,6 +152,7 @@ void Renderer::draw(const Snapshot& snapshot, const RenderOptions& options, cons
     im.draw_flat(frame);
   else
     im.view_3d.draw(frame, im.background, im.grid, im.colors, im.ink, guard);
+  if (!frame.flat()) im.crosses.draw(frame, im.ink);  // over the body, which would hide them
   if (snapshot.grabbed) {
     upload_grab(frame, im.grab, im.grab_anchor);
     im.grab.draw(im.ink, frame, im.grab_anchor, 1.6f);
@@ -165,6 +176,10 @@ bool Renderer::software() const {
 }
 double Renderer::arrow_pixels_per_speed() const {
   return impl_->grid.arrow_pixels_per_speed();
+}
+
+double Renderer::cross_pixels_per_pascal() const {
+  return impl_->crosses.pixels_per_pascal();
 }
 
 std::string take_gl_errors() {

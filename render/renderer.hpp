@@ -16,12 +16,15 @@ namespace pf {
 struct RenderOptions {
   Field field = Field::speed;
   std::optional<ValueRange> range;  ///< of the colour map; absent: AutoRange
+  bool logarithmic = false;         ///< colours by the magnitude's logarithm
+  std::optional<bool> symmetric;    ///< about the field's centre; nothing: as the field is
   bool particles = true;
   bool deformed = true;     ///< squares / ellipsoids mapped by F; else round points / spheres
   bool grid = false;        ///< lattice, active cells and nodes
   bool velocities = false;  ///< node velocities as arrows
   bool bent_grid = false;   ///< images of the grid lines under phi^
   double bent_magnification = 1;
+  bool stress_crosses = false;  ///< principal stresses as lines along their directions
   bool boundaries = true;
   bool regions = true;                    ///< constraints and loads
   bool shadows = true;                    ///< 3D; never on a software renderer unless `best_quality`
@@ -39,6 +42,11 @@ struct Viewport {
   int x = 0, y = 0;
   ViewSize size;
 };
+
+/// How the field of `options` becomes colours.
+inline ColorScale color_scale(const RenderOptions& options) {
+  return color_scale(field_info(options.field), options.logarithmic, options.symmetric);
+}
 
 /// Create, use and destroy with the same OpenGL context current. Throws std::runtime_error when the context is
 /// older than 3.3 or a shader does not compile.
@@ -64,6 +72,8 @@ class Renderer {
   bool software() const;
   /// Pixels that an arrow of 1 m/s was long in the last draw(); 0 when none was drawn.
   double arrow_pixels_per_speed() const;
+  /// The same of a stress cross's whole line and 1 Pa.
+  double cross_pixels_per_pascal() const;
 
  private:
   struct Impl;

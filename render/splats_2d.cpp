@@ -35,7 +35,8 @@ Splats2D::Rows Splats2D::fill(const Frame& frame) {
   const auto [width, height] = size_;
   std::fill(pixels_.begin(), pixels_.end(), 0u);
   Rows rows{height, 0};
-  const Colors colors(field_info(frame.options.field).scale, frame.range);
+  const glm::vec2 range = frame.shown_range();
+  const Colors colors(map_of(frame.color_scale()), {range.x, range.y});
   const bool has_F = s.F.size() >= 4 * s.particles, has_volume = s.volume0.size() >= s.particles;
   const double px = frame.pixels_per_metre, left = 0.5 * width, bottom = 0.5 * height;
   const float smallest = 0.75f * frame.scale();
@@ -49,7 +50,7 @@ Splats2D::Rows Splats2D::fill(const Frame& frame) {
     const auto pixel = [](double v, int most) { return static_cast<int>(std::clamp(v + 0.5, 0.0, most + 0.0)); };
     const int x0 = pixel(x - half, width), x1 = pixel(x + half, width);
     const int y0 = pixel(y - half, height), y1 = pixel(y + half, height);
-    const std::uint32_t color = colors(color_value(s, frame.options.field, p));
+    const std::uint32_t color = colors(shown_value(frame, p));
     for (int row = y0; row < y1; ++row) {
       std::uint32_t* at = &pixels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width)];
       for (int column = x0; column < x1; ++column) at[column] = color;

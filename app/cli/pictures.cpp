@@ -46,8 +46,9 @@ PictureWriter::PictureWriter(const FrameOutput& output, const Scene& scene) : im
                  {"Scene", scene.name},
                  {"Scene hash", scene_hash(scene)}};
   if (output.folder) make_folder(*output.folder);
-  if (output.video) impl_->film = std::make_unique<Film>(*output.video, ViewSize{output.size.width, output.size.height},
-                                                          output.frames_per_second);
+  if (output.video)
+    impl_->film = std::make_unique<Film>(*output.video, ViewSize{output.size.width, output.size.height},
+                                         output.frames_per_second);
   impl_->maker = make_pictures(picture_options(output, scene));
 }
 

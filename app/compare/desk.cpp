@@ -131,7 +131,8 @@ void CompareDesk::follow(AppContext& context) {
   if (context.status.state == RunState::running) context.session.pause();  // one of them at a time
   if (suspended_ != context.status.suspended) comparison.suspend(suspended_ = context.status.suspended);
   const SnapshotRequest wanted = snapshot_request(render_options(context, 1));
-  if (wanted.fields != requested_.fields || wanted.grid != requested_.grid || difference != requested_difference_)
+  if (wanted.fields != requested_.fields || wanted.grid != requested_.grid || wanted.stress != requested_.stress ||
+      difference != requested_difference_)
     comparison.request(requested_ = wanted, requested_difference_ = difference);
   const ComparisonNews news = comparison.news();
   if (news.run != run_) {

@@ -116,10 +116,13 @@ void LaneViews::forget() {
 RenderOptions LaneViews::options(const AppContext& context, const CompareDesk& desk, float pixel_scale) {
   RenderOptions o = render_options(context, pixel_scale);
   if (o.range || !desk.frame) return o;
-  if (ranged_field_ != o.field) range_.reset();
-  if (ranged_ != desk.frame || ranged_field_ != o.field) {
+  const ColorScale scale = color_scale(o);
+  const bool other = ranged_field_ != o.field || ranged_scale_ != scale;
+  if (other) range_.reset();
+  if (ranged_ != desk.frame || other) {
     ranged_ = desk.frame;
     ranged_field_ = o.field;
+    ranged_scale_ = scale;
     constexpr std::size_t enough = 10000;
     std::vector<float> values;
     for (const LaneFrame& lane : desk.frame->lanes) {
@@ -128,9 +131,9 @@ RenderOptions LaneViews::options(const AppContext& context, const CompareDesk& d
       const std::size_t stride = all.size() / enough + 1;
       for (std::size_t k = 0; k < all.size(); k += stride) values.push_back(all[k]);
     }
-    if (!values.empty()) range_.update(values, field_info(o.field));
+    if (!values.empty()) range_.update(values, field_info(o.field), scale);
   }
-  if (field_info(o.field).scale != FieldScale::categorical) o.range = range_.range();
+  if (scale != ColorScale::categorical) o.range = range_.range();
   return o;
 }
 

@@ -55,6 +55,7 @@ class LaneViews {
   std::vector<std::unique_ptr<View>> views_;
   std::shared_ptr<const ComparisonFrame> ranged_;  ///< the frame that the range has seen
   Field ranged_field_ = Field::speed;
+  ColorScale ranged_scale_ = ColorScale::from_zero;
   AutoRange range_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "app/field_menu.hpp"
 #include "app/panels/memory.hpp"
 #include "app/panels/panels.hpp"
 #include "app/widgets/text.hpp"
@@ -36,41 +37,18 @@ Setting view_setting(std::string label, std::string unit, double low, double hig
   return s;
 }
 
-bool shown(const Scene& scene, Field field) {
-  if (field == Field::error) return !scene.exact_position.empty();
-  if (field == Field::material) return scene.materials.size() > 1;
-  return true;
-}
-
 void choose_field(AppContext& context) {
-  ViewState& view = context.view;
   ImGui::AlignTextToFramePadding();
-  text_unformatted("Colour particles by");
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-  if (!ImGui::BeginCombo("##field", std::string(field_info(view.field).label).c_str())) return;
-  int key = 1;
-  for (const FieldInfo& info : fields()) {
-    const std::string shortcut = std::to_string(key++);
-    if (!shown(context.scene, info.field)) continue;
-    ImGui::PushID(shortcut.c_str());
-    if (ImGui::Selectable("##choice", info.field == view.field)) {
-      view.field = info.field;
-      view.lock_range = false;
-    }
-    ImGui::SameLine(0, 0);
-    text_unformatted(info.label);
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(shortcut.c_str()).x);
-    ImGui::TextDisabled("%s", shortcut.c_str());
-    ImGui::PopID();
-  }
-  ImGui::EndCombo();
+  text_unformatted("Colour by");
+  draw_field_box(context);
 }
 
 /// What the colour bar shows at the moment, for as long as the user types nothing else.
 void lock_at_present(ViewState& view, const Snapshot& snapshot) {
   const std::vector<float>& values = snapshot.field[static_cast<std::size_t>(view.field)];
   if (values.empty()) return;
-  const ValueRange now = percentile_range(values, field_info(view.field));
+  const FieldInfo& info = field_info(view.field);
+  const ValueRange now = percentile_range(values, info, color_scale(info, view.log_colors, view.symmetric));
   view.range_min = rounded(now.min, 3);
   view.range_max = rounded(now.max, 3);
 }
@@ -79,6 +57,7 @@ void choose_range(PanelMemory& m, AppContext& context) {
   ViewState& view = context.view;
   const FieldInfo& info = field_info(view.field);
   if (info.scale == FieldScale::categorical) return;
+  draw_color_scale_boxes(context);
   if (checkbox("lock", "Lock the colour range", &view.lock_range) && view.lock_range && context.snapshot)
     lock_at_present(view, *context.snapshot);
   tooltip("Keeps the ends of the colour bar while the values change, so that pictures can be compared.");
@@ -105,6 +84,8 @@ void choose_layers(PanelMemory& m, ViewState& view, int dimension) {
   }
   checkbox("grid", "Grid: cells and nodes in use (G)", &view.show_grid);
   checkbox("velocities", "Node velocities as arrows (V)", &view.show_velocities);
+  checkbox("crosses", "Principal stress crosses (X)", &view.show_crosses);
+  tooltip("A line along each principal direction, as long as the stress is large: red pulls, blue pushes.");
   checkbox("bent", "Grid bent by the step", &view.show_bent_grid);
   tooltip("The grid's lines, moved by the newest step. After each step the grid starts afresh.");
   if (view.show_bent_grid) {

@@ -120,7 +120,9 @@ std::shared_ptr<const Snapshot> Recorder::wanted(AppContext& context) const {
   auto frame = context.session.frame_due();
   if (!frame) return nullptr;
   // Published before the window asked for other fields: the same state comes again with them.
-  if (frame->field[static_cast<std::size_t>(context.view.field)].size() != frame->particles) return nullptr;
+  const Field field = context.view.field;
+  const std::size_t values = field_info(field).on_nodes ? frame->nodes : frame->particles;
+  if (frame->field[static_cast<std::size_t>(field)].size() != values) return nullptr;
   return frame;
 }
 

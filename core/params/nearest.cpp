@@ -46,7 +46,7 @@ std::string suggest(std::string_view name, std::span<const std::string> candidat
   std::string text;
   if (!near.empty() && candidates.size() > 1) text = "\"" + near + "\" (did you mean that?), or ";
   text += candidates.size() == 1 ? "only " : "one of ";
-  const std::size_t shown = std::min<std::size_t>(candidates.size(), 30);
+  const std::size_t shown = std::min<std::size_t>(candidates.size(), 60);
   for (std::size_t k = 0; k < shown; ++k) text += (k ? ", " : "") + candidates[k];
   if (shown < candidates.size()) text += ", ...";
   return text;

@@ -177,7 +177,7 @@ const Table& view_table() {
     t.choice(&ViewSettings::color_by, "color_by", "Colour by")
         .choices(std::move(keys))
         .view()
-        .help("The particle field that is drawn as colour.");
+        .help("The field of the particles or of the grid's nodes that is drawn as colour.");
     return t.take();
   }();
   return table;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/diagnostics/stress.hpp"
 #include "core/step/simulation_of.hpp"
 
 namespace pf {
@@ -60,44 +59,6 @@ void SimulationOf<D>::capture_grid(Snapshot& into) const {
 }
 
 template <int D>
-void SimulationOf<D>::capture_fields(const SnapshotRequest& request, Snapshot& into) const {
-  const std::size_t n = particles_.size();
-  const auto wanted = [&](Field f) { return (request.fields >> static_cast<unsigned>(f) & 1u) != 0; };
-  const auto values = [&](Field f) -> std::vector<float>& { return into.field[static_cast<std::size_t>(f)]; };
-  for (const FieldInfo& info : fields())
-    if (wanted(info.field))
-      values(info.field).resize(n);
-    else
-      values(info.field).clear();
-  std::vector<double> error;
-  if (wanted(Field::error)) {
-    error.assign(n, 0);
-    if (known_.known()) known_.displacement_errors(particles_, time_, error);
-  }
-  const bool stress = wanted(Field::von_mises) || wanted(Field::pressure), energy = wanted(Field::energy_density);
-  for (const MaterialRun& run : plan_.runs()) {
-    if (!stress && !energy) break;
-    double psi[longest_run];
-    Mat3 sigma[longest_run];
-    const auto first = static_cast<std::size_t>(run.begin), count = static_cast<std::size_t>(run.end - run.begin);
-    const std::span<const Mat<D>> F{particles_.F.data() + first, count};
-    if (energy) laws_[run.material]->energy(F, {psi, count});
-    if (stress) laws_[run.material]->cauchy(F, {sigma, count});
-    for (std::size_t k = 0; k < count; ++k) {
-      if (energy) values(Field::energy_density)[first + k] = static_cast<float>(psi[k]);
-      if (wanted(Field::von_mises)) values(Field::von_mises)[first + k] = static_cast<float>(von_mises(sigma[k]));
-      if (wanted(Field::pressure)) values(Field::pressure)[first + k] = static_cast<float>(pressure(sigma[k]));
-    }
-  }
-  for (std::size_t p = 0; p < n; ++p) {
-    if (wanted(Field::speed)) values(Field::speed)[p] = static_cast<float>(particles_.v[p].norm());
-    if (wanted(Field::J)) values(Field::J)[p] = static_cast<float>(particles_.F[p].determinant());
-    if (wanted(Field::material)) values(Field::material)[p] = static_cast<float>(particles_.material[p]);
-    if (wanted(Field::error)) values(Field::error)[p] = static_cast<float>(error[p]);
-  }
-}
-
-template <int D>
 double SimulationOf<D>::recent_stable_step() const {
   constexpr long lasts = 50;
   const long step = accepted_.step;
@@ -127,9 +88,9 @@ void SimulationOf<D>::capture(const SnapshotRequest& request, Snapshot& into) co
   if (request.velocities)
     for (std::size_t p = 0; p < n; ++p)
       for (int a = 0; a < D; ++a) into.v.push_back(static_cast<float>(particles_.v[p][a]));
-  capture_fields(request, into);
   into.nodes = 0;
   if (request.grid) capture_grid(into);
+  capture_fields(request, into);
   into.stable_step = request.stable_step ? recent_stable_step() : 0;
   into.scene = view_;
   into.boundary_displacement.clear();

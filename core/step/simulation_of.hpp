@@ -111,6 +111,11 @@ class SimulationOf final : public Simulation {
   ParticleLook look_at_particle(std::uint32_t id) const;
   NodeLook look_at_node(const std::array<std::int32_t, 3>& index) const;
   void capture_fields(const SnapshotRequest& request, Snapshot& into) const;
+  double plain_value(Field field, std::size_t p) const;
+  void capture_stress(std::span<const Field> wanted, bool energy, Snapshot& into) const;
+  void capture_node_fields(std::span<const Field> wanted, Snapshot& into) const;
+  /// f_int of the state at hand, on the plan's nodes (THEORY T3).
+  Vector internal_force() const;
   void capture_grid(Snapshot& into) const;
   double recent_stable_step() const;
 

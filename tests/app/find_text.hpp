@@ -30,4 +30,12 @@ inline void click_text(Stage& stage, const std::string& words, std::size_t nth =
   Hand(stage).click(*where);
 }
 
+/// In the bar at the top: panels may have the same name.
+inline void click_menu(Stage& stage, const std::string& words) {
+  const float bar = stage->layout().menu.bottom();
+  for (std::size_t nth = 0; const auto where = find_text(words, nth); ++nth)
+    if (where->y < bar) return Hand(stage).click(*where);
+  FAIL("no menu " << words);
+}
+
 }  // namespace pf::app::staged

@@ -10,7 +10,7 @@
 #include "app/inside/step_player.hpp"
 #include "app/lessons/desk.hpp"
 #include "app/panels/memory.hpp"
-#include "tests/app/stage.hpp"
+#include "tests/app/find_text.hpp"
 
 using namespace pf;
 using namespace pf::app;
@@ -167,6 +167,38 @@ const std::map<std::string, Prepare>& views() {
          desk.add(s.context(), "/time/step", 0.005);
          desk.add(s.context(), "/grid/basis", "cubic");
          s.act_until(0.15);
+       }},
+      {"fields",
+       [](Shot& s) {
+         s.show("drooping-cantilever", 30);
+         s.context().view.color_by(Field::stress_xx);
+         s.bench->act(Action::crosses);
+       }},
+      {"fields-menu",
+       [](Shot& s) {
+         s.show("drooping-cantilever", 30);
+         click_menu(s, "View");
+         s.frames(3);
+         click_text(s, "Colour by");
+         s.frames(3);
+         click_text(s, "Stress");
+       }},
+      {"crosses-3d",
+       [](Shot& s) {
+         s.show("twisted-bar", 60);
+         s.context().view.color_by(Field::material);
+         s.bench->act(Action::crosses);
+       }},
+      {"node-field",
+       [](Shot& s) {
+         s.show("stretched-strip", 40);
+         s.context().view.color_by(Field::node_force);
+         s.context().view.log_colors = true;
+       }},
+      {"log-range",
+       [](Shot& s) {
+         s.show("welcome", 60);
+         s.context().view.log_colors = true;
        }},
       {"record",
        [](Shot& s) {

@@ -54,3 +54,42 @@ TEST_CASE("the range stays while the data fill most of it, and follows when they
   CHECK(larger.max > 1.95);
   CHECK(range.update(ramp(0, 2.1f), speed) == larger);  // it grew with some room
 }
+
+TEST_CASE("a logarithmic range spans the magnitudes that are not zero, six decades of them at most") {
+  const FieldInfo& stress = field_info(Field::stress_xx);
+  std::vector<float> values;
+  for (int k = 0; k <= 1000; ++k)
+    values.push_back((k % 2 ? -1.f : 1.f) * std::pow(10.f, 3 * static_cast<float>(k) / 1000));
+  values.push_back(0);
+  const ValueRange three = percentile_range(values, stress, ColorScale::logarithmic);
+  CHECK(three.min == doctest::Approx(1).epsilon(0.25));
+  CHECK(three.max == doctest::Approx(1000).epsilon(0.25));
+  CHECK(map_position(-std::sqrt(three.min * three.max), three, ColorScale::logarithmic) == doctest::Approx(0.5));
+  for (int k = 0; k < 500; ++k) values.push_back(1e-20f);
+  const ValueRange cut = percentile_range(values, stress, ColorScale::logarithmic);
+  CHECK(cut.max / cut.min == doctest::Approx(1e6));
+  CHECK(percentile_range(ramp(0, 0), stress, ColorScale::logarithmic).min > 0);
+}
+
+TEST_CASE("a signed field may be spread from its smallest to its largest value, a magnitude be symmetric") {
+  const FieldInfo& pressure = field_info(Field::pressure);
+  CHECK(color_scale(pressure, false, {}) == ColorScale::symmetric);
+  CHECK(color_scale(pressure, false, false) == ColorScale::spread);
+  CHECK(color_scale(pressure, true, {}) == ColorScale::logarithmic);
+  CHECK(color_scale(field_info(Field::speed), false, {}) == ColorScale::from_zero);
+  CHECK(color_scale(field_info(Field::speed), false, true) == ColorScale::symmetric);
+  CHECK(color_scale(field_info(Field::material), true, true) == ColorScale::categorical);
+  CHECK(map_of(ColorScale::spread) == FieldScale::sequential);
+  const ValueRange r = percentile_range(ramp(-50, 20), pressure, ColorScale::spread);
+  CHECK(r.min == doctest::Approx(-48.6).epsilon(0.02));
+  CHECK(r.max == doctest::Approx(18.6).epsilon(0.05));
+}
+
+TEST_CASE("the histogram counts along the colour bar, what lies beyond in its end") {
+  const auto counts = histogram(ramp(0, 2), {0, 1}, ColorScale::from_zero, 10);
+  REQUIRE(counts.size() == 10);
+  CHECK(counts[3] == doctest::Approx(50).epsilon(0.05));
+  CHECK(counts[9] == doctest::Approx(550).epsilon(0.05));
+  const auto log = histogram(std::vector<float>{-1, 11, 110, 0, 1100}, {1, 1e4}, ColorScale::logarithmic, 4);
+  CHECK(log == std::vector<float>{2, 1, 1, 1});  // zero is below every decade
+}

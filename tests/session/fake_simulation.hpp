@@ -72,7 +72,7 @@ class FakeSimulation : public Simulation {
     into.x.assign(6, accepted_.time);
     into.id = {0, 1, 2};
     for (int f = 0; f < field_count; ++f)
-      if (request.fields & (1u << f)) into.field[static_cast<std::size_t>(f)].assign(3, 1.0f);
+      if (request.fields & field_bit(static_cast<Field>(f))) into.field[static_cast<std::size_t>(f)].assign(3, 1.0f);
   }
   std::vector<ProbeReading> probes() const override { return {}; }
   std::vector<ParticleState> particles() const override { return {}; }
