@@ -1,5 +1,6 @@
 // The colour bar under the mouse, the menus of fields, crosses.
 #include <cmath>
+#include <fstream>
 
 #include "tests/app/find_text.hpp"
 
@@ -128,4 +129,21 @@ TEST_CASE("a field is chosen in the menu of its group; crosses come and go with 
   CHECK(stage->screenshot().pixels != without.pixels);
   stage->act(Action::crosses);
   REQUIRE(stage.until([&] { return context.snapshot->stress.empty(); }));
+}
+
+TEST_CASE("the energy's account is saved from its panel, as it stands") {
+  NEEDS_DISPLAY();
+  Stage stage(small(), false, 1, true);
+  REQUIRE(stage.ready());
+  stage.context().show_plot("Energy balance");
+  stage.frames(6);
+  REQUIRE(stage.steps(8));
+  stage.frames(4);
+  click_text(stage, "Save as CSV");
+  click_text(stage, "JSON");
+  std::size_t rows = 0;
+  std::ifstream in(stage.folder / "pictures" / "small-ball-energy.csv");
+  for (std::string line; std::getline(in, line);) ++rows;
+  CHECK(rows == 10);  // a header, the state before, eight steps
+  CHECK(fs::exists(stage.folder / "pictures" / "small-ball-energy.json"));
 }
