@@ -81,7 +81,7 @@ bool Workbench::possible(Action action) const {
     }
   switch (action) {
     case Action::undo:
-      return undo_.can_undo();
+      return undo_.can_undo() || context_.status.stroke_is_newest;
     case Action::redo:
       return undo_.can_redo();
     case Action::step:
@@ -134,7 +134,9 @@ void Workbench::act(Action action, int index) {
     case Action::quit:
       return settle_changes([this] { leave(); });
     case Action::undo:
-      if (auto before = undo_.undo(document())) restore(std::move(*before));
+      if (context_.status.stroke_is_newest)
+        session_.take_back_strokes();
+      else if (auto before = undo_.undo(document())) restore(std::move(*before));
       break;
     case Action::redo:
       if (auto after = undo_.redo(document())) restore(std::move(*after));

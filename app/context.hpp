@@ -61,6 +61,7 @@ struct RunHistory {
   std::string label;
   bool pinned = false;
   std::vector<StepReport> reports;
+  std::vector<std::vector<ProbeReading>> probes;  ///< one list a report
 };
 
 struct PanelMemory;  // app/panels/memory.hpp

@@ -11,6 +11,7 @@
 #include "app/inside/overlay.hpp"
 #include "app/inside/step_player.hpp"
 #include "app/outline/outlines.hpp"
+#include "app/outline/probe_marks.hpp"
 #include "app/theme.hpp"
 #include "render/overlay.hpp"
 
@@ -315,6 +316,7 @@ void GlView::draw_tool(AppContext& context, ImDrawList& list) {
   painter.push_clip({where_.x, where_.y}, {where_.right(), where_.bottom()});
   const CameraMap map(*this);
   draw_selection(painter, map, context);
+  draw_probes(painter, map, context);
   draw_inside(painter, map, over ? &mouse : nullptr, context);
   tools_[tool_]->draw(painter, map, over || held_ ? &mouse : nullptr, context);
   painter.pop_clip();

@@ -59,6 +59,8 @@ class GlView {
   std::optional<double> refines_in() const;
   const ColorBarControl& color_bar() const { return color_bar_; }
   bool tool_holds() const { return held_; }
+  /// The one in hand; null where there is none.
+  Tool* tool() { return tools_.empty() ? nullptr : tools_[tool_].get(); }
   const Camera& camera() const { return camera_; }
   const Rect& place() const { return where_; }
   ViewSize size() const { return size_; }

@@ -67,4 +67,32 @@ void Workbench::watch() {
   session_.watch(level);
 }
 
+void Workbench::follow_selection() {
+  // A particle may have been cut away, or belong to a body that has not come yet in the past that is shown.
+  if (context_.selected_particle && context_.snapshot && asked_about_ != context_.snapshot) {
+    const auto& ids = context_.snapshot->id;
+    if (std::find(ids.begin(), ids.end(), *context_.selected_particle) == ids.end())
+      context_.selected_particle.reset();
+  }
+  const LookQuestion question{context_.selected_particle, context_.selected_node};
+  if (!question.particle) context_.inspected.reset();
+  if (!question.particle && !question.node) {
+    context_.looked.reset();
+    asked_ = {};
+    return;
+  }
+  if (asked_ != question || asked_about_ != context_.snapshot) {
+    if (asked_.particle != question.particle) context_.inspected.reset();
+    asked_ = question;
+    asked_about_ = context_.snapshot;
+    session_.look(question);
+  }
+  if (auto answer = session_.looked()) {
+    context_.looked = std::move(answer);
+    const auto& particle = context_.looked->particle;
+    if (particle && particle->state.id == question.particle) context_.inspected = particle->state;
+    settle_ = std::max(settle_, 1);
+  }
+}
+
 }  // namespace pf::app

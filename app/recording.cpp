@@ -101,6 +101,15 @@ void Recording::add_grab(long step, double time, const std::optional<Grab>& grab
   deeds_.back().grab = grab;
 }
 
+std::optional<Deed> Recording::take_back_strokes() {
+  std::optional<Deed> first;
+  while (ends_in_stroke() && (!first || deeds_.back().gesture == first->gesture)) {
+    first = std::move(deeds_.back());
+    deeds_.pop_back();
+  }
+  return first;
+}
+
 void Recording::forget_after(long step) {
   std::erase_if(deeds_, [&](const Deed& deed) { return deed.step > step; });
 }
@@ -111,8 +120,10 @@ bool Recording::grabbed() const {
 
 Scene Recording::scene() const {
   Scene scene = built_;
-  for (const Deed& deed : deeds_)
-    if (!deed.edits.empty()) scene.events.push_back({deed.time, deed.edits});
+  for (const Deed& deed : deeds_) {
+    if (!deed.edits.empty()) scene.events.push_back({deed.time, deed.edits, {}});
+    if (deed.stroke) scene.events.push_back({deed.time, {}, {*deed.stroke}});
+  }
   std::stable_sort(scene.events.begin(), scene.events.end(),
                    [](const Event& a, const Event& b) { return a.time < b.time; });
   return scene;

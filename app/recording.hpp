@@ -22,13 +22,16 @@ Applies applies(const Edit& edit);
 /// Those of `edits` that take effect as `when` says.
 std::vector<Edit> only(const std::vector<Edit>& edits, Applies when);
 
-/// What was done to one state of a run: settings changed, or its end, or the mouse took hold, pulled on or let go.
+/// What was done to one state of a run: settings changed, or its end, or particles were cut or painted, or the mouse
+/// took hold, pulled on or let go.
 struct Deed {
   long step = 0;    ///< of the state
   double time = 0;  ///< of the state [s]
   std::vector<Edit> edits = {};
   bool hold = false;  ///< it is the mouse's, and `grab` is what it does from there on
   std::optional<Grab> grab = {};
+  std::optional<Stroke> stroke = {};
+  std::uint64_t gesture = 0;       ///< strokes of one drag of the mouse have the same
   std::optional<double> end = {};  ///< from there on the run ends at this time [s]
 };
 
@@ -39,10 +42,20 @@ class Recording {
     built_ = built;
     deeds_.clear();
   }
+  /// Probes are the same all along.
+  void set_probes(const std::vector<Probe>& probes) { built_.probes = probes; }
   /// `edits` were applied to the state after `step`, at `time` [s].
   void add(long step, double time, const std::vector<Edit>& edits);
   /// From this state on the mouse does that.
   void add_grab(long step, double time, const std::optional<Grab>& grab);
+  /// This was cut or painted there.
+  void add_stroke(long step, double time, const Stroke& stroke, std::uint64_t gesture) {
+    deeds_.push_back({.step = step, .time = time, .stroke = stroke, .gesture = gesture});
+  }
+  /// The last thing that was done is a stroke.
+  bool ends_in_stroke() const { return !deeds_.empty() && deeds_.back().stroke; }
+  /// Forgets the strokes of the gesture that it ends in; the first of them. Nothing where it does not end in one.
+  std::optional<Deed> take_back_strokes();
   /// From this state on the run ends at `end`: the last step is as long as that leaves.
   void add_end(long step, double time, double end) { deeds_.push_back({.step = step, .time = time, .end = end}); }
   /// Another run begins at the state after `step`: what was done to later ones is forgotten.

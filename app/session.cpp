@@ -83,6 +83,12 @@ void Session::set_at_end(AtEnd what) {
 void Session::set_grab(const std::optional<Grab>& grab) {
   worker_->send(command::Hold{grab}, false);
 }
+void Session::stroke(const Stroke& stroke, std::uint64_t gesture) {
+  worker_->send(command::Work{stroke, gesture}, false);
+}
+void Session::take_back_strokes() {
+  worker_->send(command::TakeBack{}, true);
+}
 void Session::request(const SnapshotRequest& what) {
   worker_->send(command::Look{what}, false);
 }
@@ -132,7 +138,9 @@ std::shared_ptr<const Snapshot> Session::snapshot() const {
 
 SessionStatus Session::status() const {
   const std::lock_guard lock(worker_->mutex);
-  return worker_->status;
+  SessionStatus status = worker_->status;
+  status.stroke_is_newest = worker_->recording.ends_in_stroke();
+  return status;
 }
 
 void Session::drain_history(std::vector<HistorySample>& into) {

@@ -41,15 +41,17 @@ struct SessionStatus {
   bool step_in_flight = false;
   bool suspended = false;  ///< stands still for somebody else, whatever its state
   Acknowledgement edit;
-  std::string message;  ///< failure or newest warning, in the user's words
+  bool stroke_is_newest = false;  ///< take_back_strokes() has something to take back
+  std::string message;            ///< failure or newest warning, in the user's words
   std::string solver_choice;
 };
 
 /// What the plots keep of each accepted step.
 struct HistorySample {
   std::uint64_t run = 0;
-  bool again = false;  ///< the same step as before, simulated again: its energies are counted now
+  bool again = false;  ///< the same step as before: its energies are counted now, or other probes are read
   StepReport report;
+  std::vector<ProbeReading> probes;
 };
 
 /// One step as it was made, to be looked at slowly.
@@ -96,6 +98,12 @@ class Session {
   void set_rate(double simulated_per_wall);  ///< 1: real time; 0: as fast as possible
   void set_at_end(AtEnd what);
   void set_grab(const std::optional<Grab>& grab);
+  /// Cuts or paints the material where it is now. What cannot be done is said in SessionStatus::message. Strokes of the
+  /// same gesture are taken back together.
+  void stroke(const Stroke& stroke, std::uint64_t gesture);
+  /// Where the last thing that was done to this run is a stroke: back to the state that it was done to, paused, as if
+  /// its gesture had never been. What came after it is forgotten.
+  void take_back_strokes();
   void request(const SnapshotRequest& what);
   /// Called by the worker, on its thread, whenever there is something new to show. Set it before the first open().
   void set_wake(std::function<void()> wake);

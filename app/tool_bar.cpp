@@ -1,6 +1,7 @@
-// The tools as buttons at the view's upper left corner.
+// The tools as buttons at the view's upper left corner, and beside them what can be chosen for the one in hand.
 #include <imgui.h>
 
+#include <cfloat>
 #include <vector>
 
 #include "app/compare/desk.hpp"
@@ -19,6 +20,8 @@ void explain(const ToolInfo& tool) {
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
 }
+
+constexpr float options_width = 13;  ///< [em]
 
 }  // namespace
 
@@ -62,8 +65,29 @@ void Workbench::draw_tool_bar() {
       ImGui::EndCombo();
     }
   }
+  const ImVec2 place = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   ImGui::End();
+  // Beside the bar, or below it where the colours' bar would be in the way.
+  const float beside = place.x + size.x + 0.4f * em;
+  const bool room = beside + (options_width + 10) * em < layout_.view.right();
+  draw_tool_options(room ? Point2{beside, place.y} : Point2{place.x, place.y + size.y + 0.4f * em});
   ImGui::PopStyleVar(4);
+}
+
+void Workbench::draw_tool_options(Point2 place) {
+  Tool* const tool = view_ ? view_->tool() : nullptr;
+  if (tool == nullptr || !tool->has_options()) return;
+  const float em = ImGui::GetFontSize();
+  ImGui::SetNextWindowPos({place.x, place.y});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.5f * em, 0.4f * em});
+  ImGui::SetNextWindowBgAlpha(0.85f);
+  ImGui::SetNextWindowSizeConstraints({options_width * em, 0}, {options_width * em, FLT_MAX});
+  ImGui::Begin("tool options", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
+  tool->draw_options(context_);
+  ImGui::End();
+  ImGui::PopStyleVar();
 }
 
 }  // namespace pf::app

@@ -190,8 +190,9 @@ void Workbench::follow_session() {
   follow_slow_step();
   SnapshotRequest wanted = snapshot_request(render_options(context_, 1));
   wanted.stable_step = wants_stable_step(context_);
+  wanted.reference = context_.tool == "probe";
   if (wanted.fields != requested_.fields || wanted.grid != requested_.grid || wanted.stress != requested_.stress ||
-      wanted.stable_step != requested_.stable_step) {
+      wanted.stable_step != requested_.stable_step || wanted.reference != requested_.reference) {
     requested_ = wanted;
     session_.request(wanted);
   }
@@ -201,33 +202,11 @@ void Workbench::follow_session() {
   follow_lesson(context_);
 }
 
-void Workbench::follow_selection() {
-  const LookQuestion question{context_.selected_particle, context_.selected_node};
-  if (!question.particle) context_.inspected.reset();
-  if (!question.particle && !question.node) {
-    context_.looked.reset();
-    asked_ = {};
-    return;
-  }
-  if (asked_ != question || asked_about_ != context_.snapshot) {
-    if (asked_.particle != question.particle) context_.inspected.reset();
-    asked_ = question;
-    asked_about_ = context_.snapshot;
-    session_.look(question);
-  }
-  if (auto answer = session_.looked()) {
-    context_.looked = std::move(answer);
-    const auto& particle = context_.looked->particle;
-    if (particle && particle->state.id == question.particle) context_.inspected = particle->state;
-    settle_ = std::max(settle_, 1);
-  }
-}
-
 void Workbench::follow_history() {
   if (context_.status.run != shown_run_ && context_.status.state != RunState::loading) {
     shown_run_ = context_.status.run;
     shown_branches_ = context_.status.branches;
-    context_.current = {context_.scene.name, false, {}};
+    context_.current = {context_.scene.name, false, {}, {}};
     if (view_) view_->begin_run(context_);
     if (view_ && std::exchange(fit_next_run_, false)) view_->fit();
   }
@@ -240,12 +219,16 @@ void Workbench::follow_history() {
     if (it->run != shown_run_) continue;
     if (it->again) {
       const auto k = static_cast<std::size_t>(it->report.step);
-      if (k < reports.size() && reports[k].step == it->report.step) reports[k].energy = it->report.energy;
+      if (k >= reports.size() || reports[k].step != it->report.step) continue;
+      if (it->report.energy.known) reports[k].energy = it->report.energy;
+      context_.current.probes[k] = std::move(it->probes);
       continue;
     }
     // Newton's iterations are shown for the newest steps only; a long run need not keep them all.
     if (reports.size() >= solver_history) reports[reports.size() - solver_history].newton = {};
     while (!reports.empty() && reports.back().step >= it->report.step) reports.pop_back();
+    context_.current.probes.resize(reports.size());
+    context_.current.probes.push_back(std::move(it->probes));
     reports.push_back(std::move(it->report));
   }
   fresh_.erase(fresh_.begin(), later);
@@ -260,6 +243,7 @@ void Workbench::follow_branch() {
   constexpr long worth_keeping = 3;
   if (!reports.empty() && reports.back().step >= reached + worth_keeping) pin();
   while (!reports.empty() && reports.back().step > reached) reports.pop_back();
+  context_.current.probes.resize(reports.size());
 }
 
 void Workbench::follow_scale() {

@@ -93,6 +93,7 @@ class Workbench {
   void draw_parts();
   void draw_drawer_toggle();
   void draw_tool_bar();
+  void draw_tool_options(Point2 place);
   void draw_tool_button(const ToolInfo& tool);
   void draw_splitter();
 

@@ -149,6 +149,7 @@ void Session::Worker::accept(const StepReport& report, double step_ms) {
   const auto now = Clock::now();
   pacer_.reached(report.time, now);
   stale_ = true;
+  const std::vector<ProbeReading> readings = simulation_->probes();
   {
     const std::lock_guard lock(mutex);
     status.time = report.time;
@@ -157,10 +158,10 @@ void Session::Worker::accept(const StepReport& report, double step_ms) {
     status.step_ms = status.step_ms > 0 ? 0.8 * status.step_ms + 0.2 * step_ms : step_ms;
     if (!report.warnings.empty()) status.message = report.warnings.back();
     if (report.step > reached_) {
-      history.push_back({status.run, false, report});
+      history.push_back({status.run, false, report, readings});
       status.reached = reached_ = report.step;
-    } else if (report.energy.known) {
-      history.push_back({status.run, true, report});
+    } else if (report.energy.known || !readings.empty()) {
+      history.push_back({status.run, true, report, readings});
     }
     record = simulation_->record();
   }
@@ -236,7 +237,7 @@ void Session::Worker::build(const Scene& scene, bool run, bool announce) {
     if (simulation_) {
       status.time = simulation_->time();
       status.solver_choice = simulation_->solver_choice();
-      history.push_back({status.run, false, simulation_->report()});
+      history.push_back({status.run, false, simulation_->report(), simulation_->probes()});
     }
   }
   if (!simulation_) return fail(failure);
@@ -310,6 +311,7 @@ void Session::Worker::handle(const command::EditTo& edit) {
     waiting_edit_ = edit;
     return;
   }
+  place_probes(edit.scene.probes);
   const std::vector<Edit> applied = apply_live(edit.scene);
   if (!applied.empty()) branch();
   const bool needs_reset = refused_ || !only(difference(built_, edited_), Applies::reset).empty();
@@ -374,19 +376,6 @@ void Session::Worker::handle(const command::End& end) {
   if (!simulation_) return;
   if (simulation_->report().step >= reached_) apply_end();  // else where the run goes on from
   if (at_end_ == AtEnd::go_on && state_ == RunState::finished) set_state(RunState::paused);
-}
-
-void Session::Worker::handle(const command::Hold& hold) {
-  if (!simulation_ || (!hold.grab && !grabbed_)) return;
-  target_.reset();  // what is held is what is seen
-  branch();
-  {
-    const std::lock_guard lock(mutex);
-    recording.add_grab(simulation_->report().step, simulation_->time(), hold.grab);
-  }
-  grabbed_ = hold.grab.has_value();
-  simulation_->set_grab(hold.grab);
-  if (state_ != RunState::running) publish();
 }
 
 void Session::Worker::handle(const command::Look& look) {

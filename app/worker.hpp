@@ -53,6 +53,11 @@ struct End {
 struct Hold {
   std::optional<Grab> grab;
 };
+struct Work {
+  Stroke stroke;
+  std::uint64_t gesture;
+};
+struct TakeBack {};
 struct Look {
   SnapshotRequest request;
 };
@@ -70,7 +75,7 @@ struct FrameTaken {
   std::shared_ptr<const Snapshot> frame;
 };
 using Any = std::variant<Open, Run, Pause, StepOnce, Reset, GoTo, Branch, Ledger, Recount, Memory, EditTo, Suspend,
-                         Rate, End, Hold, Look, Ask, Watch, TakeApart, Record, FrameTaken>;
+                         Rate, End, Hold, Work, TakeBack, Look, Ask, Watch, TakeApart, Record, FrameTaken>;
 }  // namespace command
 
 struct Session::Worker {
@@ -142,7 +147,10 @@ struct Session::Worker {
   void handle(const command::Suspend& suspend);
   void handle(const command::Rate& rate);
   void handle(const command::End& end);
+  // worker_hand.cpp
   void handle(const command::Hold& hold);
+  void handle(const command::Work& work);
+  void handle(const command::TakeBack&);
   void handle(const command::Look& look);
   void handle(const command::Ask& ask);
   void handle(const command::Watch& watch);
@@ -152,6 +160,8 @@ struct Session::Worker {
   /// Applies what differs between the scene last edited and `scene` and is live. Returns what was applied.
   std::vector<Edit> apply_live(const Scene& scene);
   bool try_apply(const std::vector<Edit>& changes);
+  /// Probes are read whatever state is shown: they are no edits of the run, and the past has the newest ones, too.
+  void place_probes(const std::vector<Probe>& probes);
 
   // worker_record.cpp: what is recorded
   struct Filming {

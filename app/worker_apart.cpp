@@ -5,9 +5,7 @@ namespace pf::app {
 
 void Session::Worker::handle(const command::Ask& ask) {
   if (!simulation_) return;
-  LookQuestion question = ask.question;
-  if (question.particle && *question.particle >= simulation_->particle_count()) question.particle.reset();
-  pf::Look found = simulation_->look(question);
+  pf::Look found = simulation_->look(ask.question);
   {
     const std::lock_guard lock(mutex);
     answer = std::move(found);

@@ -45,6 +45,7 @@ bool Session::Worker::return_to(const Keyframe& keyframe) {
     return false;
   }
   applied_ = *keyframe.edited;
+  place_probes(edited_.probes);
   events_.emplace(built_, keyframe.events);
   simulation_->set_end(end_ = keyframe.end);
   return true;
@@ -56,7 +57,7 @@ void Session::Worker::return_to_start() {
   simulation_ = factory_(built_, options_);
   simulation_->set_recording(watch_);
   simulation_->set_ledger(ledger_);
-  applied_ = built_;
+  applied_ = built_;  // with the newest probes
   events_.emplace(built_);
   simulation_->set_end(end_ = first_end_);
 }
@@ -73,6 +74,10 @@ void Session::Worker::apply_recorded() {
     if (deed->hold) {
       grabbed_ = deed->grab.has_value();
       simulation_->set_grab(deed->grab);
+      continue;
+    }
+    if (deed->stroke) {
+      simulation_->stroke(*deed->stroke);
       continue;
     }
     applied_ = edited(applied_, deed->edits);

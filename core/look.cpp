@@ -1,5 +1,7 @@
 #include "core/look.hpp"
 
+#include "core/params/problem.hpp"
+
 namespace pf {
 
 std::vector<NodeWeight> weights_at(const BasisInfo& basis, double spacing, int dimension, const Vec3& x) {
@@ -44,11 +46,17 @@ std::vector<NodeWeight> recorded_weights(const StepRecord& record, std::size_t p
   return nodes;
 }
 
+std::size_t Simulation::stroke(const Stroke& stroke) {
+  throw InputError(
+      "", {{"/events/-/strokes/-", "\"" + stroke.kind + "\"", "a simulation whose particles can be worked on", 0}});
+}
+
 Look Simulation::look(const LookQuestion& question) const {
   Look look;
   look.step = report().step;
   look.time = time();
-  if (question.particle) look.particle.emplace().state = particle(*question.particle);
+  if (question.particle && has_particle(*question.particle))
+    look.particle.emplace().state = particle(*question.particle);
   return look;
 }
 

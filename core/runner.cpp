@@ -24,13 +24,22 @@ EventSchedule::EventSchedule(const Scene& scene, std::size_t applied) : applied_
                    [](const Entry& a, const Entry& b) { return a.event.time < b.event.time; });
 }
 
-void EventSchedule::apply_next(Simulation& simulation) {
+void EventSchedule::apply_next(Simulation& simulation, bool strokes) {
   const Entry& entry = entries_[applied_];
-  if (!simulation.apply(edited_live(simulation.scene(), entry.event.set))) {
+  const std::string place = "/events/" + std::to_string(entry.index);
+  if (!entry.event.set.empty() && !simulation.apply(edited_live(simulation.scene(), entry.event.set))) {
     std::string pointers;
     for (const Edit& edit : entry.event.set) pointers += (pointers.empty() ? "" : ", ") + edit.pointer;
-    throw InputError("", {{"/events/" + std::to_string(entry.index) + "/set", pointers,
-                           "settings that may change while the simulation runs; these need a reset"}});
+    throw InputError(
+        "", {{place + "/set", pointers, "settings that may change while the simulation runs; these need a reset"}});
+  }
+  for (std::size_t k = 0; strokes && k < entry.event.strokes.size(); ++k) {
+    try {
+      simulation.stroke(entry.event.strokes[k]);
+    } catch (const InputError& error) {
+      const Problem& problem = error.problems().front();
+      throw InputError("", {{place + "/strokes/" + std::to_string(k), problem.found, problem.allowed}});
+    }
   }
   ++applied_;
 }
@@ -39,12 +48,12 @@ std::size_t EventSchedule::apply_due(Simulation& simulation) {
   const std::size_t before = applied_;
   while (applied_ < entries_.size() &&
          simulation.time() >= entries_[applied_].event.time - same_time * simulation.scene().time.step)
-    apply_next(simulation);
+    apply_next(simulation, true);
   return applied_ - before;
 }
 
 void EventSchedule::apply_first(Simulation& simulation, std::size_t count) {
-  while (applied_ < std::min(count, entries_.size())) apply_next(simulation);
+  while (applied_ < std::min(count, entries_.size())) apply_next(simulation, false);
 }
 
 bool frame_due(const TimeSettings& settings, double time, long k) {

@@ -51,7 +51,8 @@ class EventSchedule {
   /// invalid or needs a reset.
   std::size_t apply_due(Simulation& simulation);
   std::size_t applied() const { return applied_; }
-  /// Applies the first `count` events whatever the time: before a later state is loaded.
+  /// Applies the first `count` events whatever the time, but for their strokes: before a later state is loaded, which
+  /// has what they left of the particles.
   void apply_first(Simulation& simulation, std::size_t count);
 
  private:
@@ -59,7 +60,7 @@ class EventSchedule {
     std::size_t index;  ///< in Scene::events
     Event event;
   };
-  void apply_next(Simulation& simulation);
+  void apply_next(Simulation& simulation, bool strokes);
 
   std::vector<Entry> entries_;  ///< by time; those of one time in file order
   std::size_t applied_ = 0;

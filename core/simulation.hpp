@@ -24,14 +24,6 @@ struct Grab {
   double radius = 0;         ///< [m]
 };
 
-/// One probe at the newest state (INTERFACE, probes.csv).
-struct ProbeReading {
-  std::size_t probe = 0;
-  std::uint32_t particle = 0;  ///< id
-  Vec3 x = Vec3::Zero(), v = Vec3::Zero();
-  Mat3 sigma = Mat3::Zero();  ///< Cauchy [Pa]
-};
-
 /// Everything about one particle, by id: the inspector and the exporters.
 struct ParticleState {
   std::uint32_t id = 0;
@@ -74,12 +66,19 @@ class Simulation {
   /// Whether steps fill in StepReport::energy: about one gradient a stage more. Changes no result.
   virtual void set_ledger(bool /*on*/) {}
   virtual void set_grab(const std::optional<Grab>& grab) = 0;
+  /// Cuts or paints the particles within the stroke's shape, between steps; how many that were. Those that are cut away
+  /// leave their ids unused. Throws InputError, and nothing is done, where none would be left, where the motion is
+  /// known beforehand, or where the material is unknown.
+  virtual std::size_t stroke(const Stroke& stroke);
 
   virtual void capture(const SnapshotRequest& request, Snapshot& into) const = 0;
+  /// Of those probes whose particle is there: it may have been cut away.
   virtual std::vector<ProbeReading> probes() const = 0;
-  /// All particles ordered by id.
+  /// All particles ordered by id. Where some were cut away ids have gaps.
   virtual std::vector<ParticleState> particles() const = 0;
   virtual ParticleState particle(std::uint32_t id) const = 0;
+  /// Whether there is one of this id now.
+  virtual bool has_particle(std::uint32_t id) const { return id < particle_count(); }
   /// A particle and a node looked at from inside: weights, forces, who contributes (core/look.hpp). Costs nothing while
   /// nobody asks. Here: the particle's state alone.
   virtual Look look(const LookQuestion& question) const;

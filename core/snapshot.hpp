@@ -19,8 +19,19 @@ struct SnapshotRequest {
   std::uint64_t fields = field_bit(Field::speed);  ///< field_bit of each; those of nodes need `grid`
   bool grid = false;                               ///< nodes
   bool velocities = false;                         ///< particle velocities
+  bool reference = false;                          ///< reference positions
   bool stable_step = false;                        ///< how long an explicit step could be
   bool stress = false;                             ///< of particles, whole tensors
+};
+
+/// One probe at the newest state (INTERFACE, probes.csv).
+struct ProbeReading {
+  std::size_t probe = 0;
+  std::uint32_t particle = 0;  ///< id
+  Vec3 x = Vec3::Zero(), v = Vec3::Zero();
+  Mat3 sigma = Mat3::Zero();  ///< Cauchy [Pa]
+  Vec3 X = Vec3::Zero();      ///< reference position [m]
+  Mat3 F = Mat3::Identity();
 };
 
 /// A rigid solid of the scene as it is drawn. `distance` is the signed distance at t = 0, negative in the solid;
@@ -51,13 +62,14 @@ struct Snapshot {
 
   // Particles, in the simulation's own order; arrays of `dimension` components are interleaved.
   std::size_t particles = 0;
-  std::vector<std::uint32_t> id;                      ///< index at t = 0, stable
+  std::vector<std::uint32_t> id;                      ///< stable; with gaps where particles were cut away
   std::vector<std::uint16_t> body;                    ///< into SceneView::body_names
   std::vector<std::uint16_t> material;                ///< into SceneView::material_names
   std::vector<double> x;                              ///< [m]
   std::vector<float> F;                               ///< dimension^2 each, column-major
   std::vector<float> volume0;                         ///< V_p^0 [m^dimension]
   std::vector<float> v;                               ///< [m/s], if requested
+  std::vector<double> X;                              ///< reference positions [m], if requested
   std::vector<float> stress;                          ///< Cauchy, xx yy zz xy yz xz each [Pa], if requested
   std::array<std::vector<float>, field_count> field;  ///< by Field, empty unless requested; of particles or of nodes
 
@@ -71,6 +83,8 @@ struct Snapshot {
 
   /// If requested, Simulation::stable_step() of this state or of one less than 50 steps ago [s]; else 0.
   double stable_step = 0;
+
+  std::vector<ProbeReading> probes;  ///< of the simulation's scene, where their particles are still there
 
   std::shared_ptr<const SceneView> scene;
   std::vector<Vec3> boundary_displacement;  ///< one a boundary, at report.time

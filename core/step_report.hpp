@@ -45,11 +45,22 @@ struct Balance {
   double total() const { return kinetic + elastic + potential; }
 };
 
+/// What strokes have done to the particles since the start of the run. What painting put in counts as negative.
+struct StrokeSums {
+  long count = 0;                ///< strokes that met some particles
+  std::uint64_t cut = 0;         ///< particles taken away
+  std::uint64_t painted = 0;     ///< particles that were given another material, each as often as it was
+  double mass = 0;               ///< taken away [kg]
+  double energy = 0;             ///< kinetic, elastic and potential, taken away [J]
+  Vec3 momentum = Vec3::Zero();  ///< taken away [kg m/s]
+};
+
 /// How a step changed the angular momentum [kg m^2/s], by cause (THEORY T6).
 struct AngularLedger {
   Vec3 transfer = Vec3::Zero();          ///< particles -> grid -> particles
   Vec3 time_integration = Vec3::Zero();  ///< by the scheme alone; backward Euler: dt sum_i v_i^{n+1} x (M v^n)_i
   Vec3 outside = Vec3::Zero();  ///< by torques about the origin: gravity, loads, walls, constraints, the mouse's spring
+  Vec3 strokes = Vec3::Zero();  ///< by strokes before the step
 };
 
 /// How a step changed the energy of the particles [J], by cause: all entries add up to the change, to rounding. What
@@ -63,7 +74,10 @@ struct EnergyLedger {
   double to_grid = 0, to_particles = 0;  ///< the transfers
   double solver = 0;                     ///< what Newton's method left unbalanced
   double edits = 0;                      ///< what edits of the scene changed before the step
-  double sum() const { return loads + boundary + mouse + time_integration + to_grid + to_particles + solver + edits; }
+  double strokes = 0;                    ///< what cutting and painting changed before the step
+  double sum() const {
+    return loads + boundary + mouse + time_integration + to_grid + to_particles + solver + edits + strokes;
+  }
 };
 
 struct ErrorNorms {
@@ -113,6 +127,7 @@ struct StepReport {
   Balance balance;
   AngularLedger angular;
   EnergyLedger energy;
+  StrokeSums strokes;
   ErrorNorms error;
   double min_J = 1, max_J = 1;
   int active_nodes = 0;

@@ -80,13 +80,15 @@ void CrossLayer::choose_flat(const Frame& frame) {
   scene_ = s.scene.get();
   chosen_origin_ = frame.origin;
   chosen_scale_ = frame.pixels_per_metre;
-  chosen_id_.assign(s.particles, 0);
+  std::uint32_t last = 0;  // ids have gaps where particles were cut away
+  for (const std::uint32_t id : s.id) last = std::max(last, id);
+  const std::size_t ids = s.particles == 0 ? 0 : std::size_t{last} + 1;
+  chosen_id_.assign(ids, 0);
   const double apart = spacing_pixels * static_cast<double>(frame.scale()) / frame.pixels_per_metre;
   const double reach = frame.extent();
   std::unordered_map<std::uint64_t, std::vector<Vec3>> taken;
-  std::vector<std::size_t> by_id(s.particles, s.particles);
-  for (std::size_t p = 0; p < s.particles; ++p)
-    if (s.id[p] < s.particles) by_id[s.id[p]] = p;
+  std::vector<std::size_t> by_id(ids, s.particles);
+  for (std::size_t p = 0; p < s.particles; ++p) by_id[s.id[p]] = p;
   for (const std::size_t p : by_id) {
     if (p == s.particles) continue;
     const Vec3 x = component_vector(s.x, p, 2);

@@ -70,7 +70,7 @@ class Anchor {
 struct DataKey {
   const Snapshot* snapshot = nullptr;
   const SceneView* scene = nullptr;
-  long step = -1;
+  long step = -1, strokes = 0;
   double time = 0;
   std::size_t particles = 0, nodes = 0, values = 0;
   Field field = Field::speed;
@@ -83,6 +83,7 @@ struct DataKey {
     return {&s,
             s.scene.get(),
             s.report.step,
+            s.report.strokes.count,
             s.report.time,
             s.particles,
             s.nodes,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <utility>
 
 #include "app/recording.hpp"
@@ -231,7 +232,9 @@ bool LaneSet::advance(const std::atomic<bool>* cancel) {
 
 std::vector<float> distances(const Snapshot& snapshot, const Snapshot& reference) {
   const auto d = static_cast<std::size_t>(reference.dimension);
-  if (snapshot.particles != reference.particles || snapshot.dimension != reference.dimension) return {};
+  // Of those that came some may have been cut away, here or there; where others came, ids mean nothing.
+  const auto came = [](const Snapshot& s) { return s.particles + s.report.strokes.cut; };
+  if (came(snapshot) != came(reference) || snapshot.dimension != reference.dimension) return {};
   std::uint32_t last = 0;
   for (const std::uint32_t id : reference.id) last = std::max(last, id);
   constexpr auto nobody = static_cast<std::size_t>(-1);
@@ -240,7 +243,10 @@ std::vector<float> distances(const Snapshot& snapshot, const Snapshot& reference
   std::vector<float> distance(snapshot.particles);
   for (std::size_t p = 0; p < snapshot.particles; ++p) {
     const std::uint32_t id = snapshot.id[p];
-    if (id > last || place[id] == nobody) return {};
+    if (id > last || place[id] == nobody) {
+      distance[p] = std::numeric_limits<float>::quiet_NaN();  // cut away there, or never came
+      continue;
+    }
     double sum = 0;
     for (std::size_t a = 0; a < d; ++a) {
       const double apart = snapshot.x[d * p + a] - reference.x[d * place[id] + a];
@@ -255,6 +261,7 @@ LaneDistance summed(const Snapshot& snapshot, const std::vector<float>& distance
   LaneDistance out{.lane = lane, .time = snapshot.report.time};
   double volume = 0, sum = 0;
   for (std::size_t p = 0; p < distance.size(); ++p) {
+    if (std::isnan(distance[p])) continue;
     const double V = static_cast<double>(snapshot.volume0[p]), e = static_cast<double>(distance[p]);
     volume += V;
     sum += V * e * e;

@@ -26,7 +26,7 @@ const std::array groups{
               [](const Scene& s) { return s.constraints.size(); }},
     ItemGroup{ItemKind::load, "loads", "Loads", "load", "region", false,
               [](const Scene& s) { return s.loads.size(); }},
-    ItemGroup{ItemKind::probe, "probes", "Probes", "probe", nullptr, false,
+    ItemGroup{ItemKind::probe, "probes", "Probes", "probe", nullptr, true,
               [](const Scene& s) { return s.probes.size(); }}};
 // clang-format on
 
@@ -232,7 +232,9 @@ bool edit_scene(AppContext& context, const std::vector<Edit>& edits) {
   }
   // Nothing is lost by it.
   const SessionStatus status = context.session.status();
-  const bool enters = std::all_of(edits.begin(), edits.end(), [](const Edit& e) { return e.pointer == "/bodies/-"; });
+  const bool enters = std::all_of(edits.begin(), edits.end(), [](const Edit& e) {
+    return e.pointer == "/bodies/-" || e.pointer.starts_with("/probes");
+  });
   if (status.reached == 0 && status.state == RunState::paused && !enters) context.session.reset();
   return true;
 }

@@ -41,6 +41,8 @@ const std::array causes{
     Cause{"Mouse", "Work of the mouse's spring.", [](const EnergyLedger& e) { return e.mouse; }, 3, false},
     Cause{"Edits", "What changed settings made of the energy that was there: a stiffer material has more of it.",
           [](const EnergyLedger& e) { return e.edits; }, 6, false},
+    Cause{"Cut and painted", "Went with the material that was cut away, or came with another one that was painted.",
+          [](const EnergyLedger& e) { return e.strokes; }, 6, false},
     Cause{"Time steps", "Lost or gained by the time scheme: backward Euler damps, the more the longer the step.",
           [](const EnergyLedger& e) { return e.time_integration; }, 4, true},
     Cause{"Transfers", "Lost or gained between particles and grid: PIC smooths motion away, APIC and FLIP keep more of it.",
@@ -119,6 +121,12 @@ void draw_list(AppContext& context, const Account& a) {
     if (!shown(a, c)) continue;
     legend_entry(context, causes[c].color, causes[c].name, newest(a.sums[c], "J"), nullptr, causes[c].numeric);
     tooltip(causes[c].help);
+  }
+  if (context.snapshot && context.snapshot->report.strokes.count > 0) {
+    const StrokeSums& strokes = context.snapshot->report.strokes;
+    property("Mass that was cut or painted away", quantity(strokes.mass, "kg", 3));
+    tooltip(std::to_string(strokes.cut) + " particles were cut away, " + std::to_string(strokes.painted) +
+            " painted. What painting with a denser material brings counts as negative.");
   }
   gap(0.25F);
   if (!a.time.empty()) {

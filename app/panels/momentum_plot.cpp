@@ -47,12 +47,18 @@ std::vector<Line> linear_lines(const Curves& c, int dimension) {
   return lines;
 }
 
+/// Whether strokes have changed it.
+bool worked_on(const Curves& c, std::size_t axis) {
+  return !c.stroked[axis].empty() && c.stroked[axis].back() != 0;
+}
+
 std::vector<Line> angular_lines(const Curves& c, int dimension, bool split, std::size_t axis) {
   if (dimension == 2) {
     std::vector<Line> lines{{"Angular", &c.angular[2], 0}};
     if (split) lines.push_back({"Change by transfers", &c.lost_transfer[2], 1, true});
     if (split) lines.push_back({"Change by time steps", &c.lost_time[2], 2, true});
     if (split) lines.push_back({"Change by torques", &c.outside[2], 3, true});
+    if (split && worked_on(c, 2)) lines.push_back({"Cut and painted", &c.stroked[2], 4, true});
     return lines;
   }
   std::vector<Line> lines;
@@ -61,6 +67,7 @@ std::vector<Line> angular_lines(const Curves& c, int dimension, bool split, std:
   if (split) lines.push_back({of + " by transfers", &c.lost_transfer[axis], 3, true});
   if (split) lines.push_back({of + " by time steps", &c.lost_time[axis], 4, true});
   if (split) lines.push_back({of + " by torques", &c.outside[axis], 5, true});
+  if (split && worked_on(c, axis)) lines.push_back({"Cut and painted", &c.stroked[axis], 6, true});
   return lines;
 }
 

@@ -15,6 +15,9 @@ bool moves(const AppContext& c) {
 bool solves(const AppContext& c) {
   return c.scene.integrator.type != "symplectic_euler";
 }
+bool probed(const AppContext& c) {
+  return !c.scene.probes.empty();
+}
 bool in_lesson(const AppContext& c) {
   return c.lesson != nullptr;
 }
@@ -47,6 +50,7 @@ const std::vector<Panel>& panels() {
       {"Energy", Dock::bottom, always, draw_energy_plot},
       {"Energy balance", Dock::bottom, always, draw_balance_plot},
       {"Momentum", Dock::bottom, always, draw_momentum_plot},
+      {"Probes", Dock::bottom, probed, draw_probe_plot},
       {"Convergence", Dock::bottom, solves, draw_convergence_plot},
       {"Time by phase", Dock::bottom, always, draw_phases_plot},
       {"Compare", Dock::bottom, always, draw_compare_panel},

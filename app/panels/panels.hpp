@@ -25,6 +25,7 @@ void draw_node_panel(AppContext& context);
 void draw_energy_plot(AppContext& context);
 void draw_balance_plot(AppContext& context);
 void draw_momentum_plot(AppContext& context);
+void draw_probe_plot(AppContext& context);
 void draw_convergence_plot(AppContext& context);
 void draw_phases_plot(AppContext& context);
 void draw_compare_panel(AppContext& context);  // app/compare/panel.cpp

@@ -36,6 +36,7 @@ void Curves::follow(const std::vector<StepReport>& reports) {
       lost_transfer[i].push_back((first ? 0 : lost_transfer[i].back()) + r.angular.transfer[a]);
       lost_time[i].push_back((first ? 0 : lost_time[i].back()) + r.angular.time_integration[a]);
       outside[i].push_back((first ? 0 : outside[i].back()) + r.angular.outside[a]);
+      stroked[i].push_back((first ? 0 : stroked[i].back()) + r.angular.strokes[a]);
     }
     const auto ms = phase_values(r.ms);
     for (std::size_t i = 0; i < ms.size(); ++i) phase[i].push_back(ms[i]);
@@ -64,7 +65,8 @@ std::string difference_text(const std::string& pointer, const nlohmann::ordered_
 }
 
 bool tells_nothing(const std::string& pointer) {
-  return pointer == "/name" || pointer == "/about" || pointer.starts_with("/view") || pointer.starts_with("/events");
+  return pointer == "/name" || pointer == "/about" || pointer.starts_with("/view") || pointer.starts_with("/events") ||
+         pointer.starts_with("/probes");
 }
 
 }  // namespace

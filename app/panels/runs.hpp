@@ -20,7 +20,7 @@ std::array<double, phase_count> phase_values(const PhaseTimes& ms);
 /// One value a report; angular momentum lost is summed from the start of the run.
 struct Curves {
   std::vector<double> time, kinetic, elastic, potential, total;
-  std::array<std::vector<double>, 3> momentum, angular, lost_transfer, lost_time, outside;
+  std::array<std::vector<double>, 3> momentum, angular, lost_transfer, lost_time, outside, stroked;
   std::array<std::vector<double>, phase_count> phase;
   std::vector<double> step_ms, error;
   /// Appends the reports that are new; starts again when `reports` is another run's.
@@ -45,7 +45,8 @@ struct PlotMemory {
   bool angular = true;  ///< momentum plot: angular, else linear
   bool split_loss = true;
   PlotView view[4];
-  PlotView balance_view;
+  PlotView balance_view, probe_view;
+  std::size_t probe_quantity = 0;  ///< of the probes' plot
   bool relabel = false;  ///< a run was unpinned: the labels may get shorter
 };
 

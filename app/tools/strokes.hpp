@@ -1,7 +1,10 @@
 // What the tools that work on the material have in common: a brush of so many cells, and where it is.
 #pragma once
 
+#include <imgui.h>
+
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -13,18 +16,26 @@ namespace pf::app {
 class Brush {
  public:
   explicit Brush(double cells) : cells_(cells) {}
+  static constexpr double least = 0.5, most = 40;  ///< [cells]
   double radius(const Snapshot& s) const { return cells_ * s.spacing; }
-  void turn(float notches) {
-    constexpr double least = 1, most = 40;
-    cells_ = std::clamp(cells_ * std::pow(1.15, static_cast<double>(notches)), least, most);
+  /// A slider for it.
+  void draw_size() {
+    ImGui::Text("Radius: %.1f cells", cells_);
+    auto cells = static_cast<float>(cells_);
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    if (ImGui::SliderFloat("##size", &cells, static_cast<float>(least), 12, "",
+                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
+      cells_ = static_cast<double>(cells);
   }
+  void turn(float notches) { cells_ = std::clamp(cells_ * std::pow(1.15, static_cast<double>(notches)), least, most); }
   /// A dark line under a light one shows on every colour.
-  void draw(Painter& painter, const ViewMap& map, const Snapshot& s, const Vec3& at, float strength) const {
+  void draw(Painter& painter, const ViewMap& map, const Snapshot& s, const Vec3& at, float strength,
+            const Color& color = {1, 1, 1, 0.9F}) const {
     const auto centre = map.to_pixel(at);
     if (!centre) return;
     const auto r = static_cast<float>(radius(s) / map.metres_per_pixel(at));
     painter.ring(*centre, r, {0, 0, 0, 0.45F * strength}, 0.22F * map.em());
-    painter.ring(*centre, r, {1, 1, 1, 0.9F * strength}, 0.1F * map.em());
+    painter.ring(*centre, r, {color.r, color.g, color.b, color.a * strength}, 0.1F * map.em());
   }
 
  private:

@@ -59,6 +59,9 @@ class Tool {
   virtual bool wheel(float notches, const ViewMouse& mouse, AppContext& context) = 0;
   /// Let go of everything: Esc, reset, another scene, the window lost focus.
   virtual void cancel(AppContext& context) = 0;
+  /// What can be chosen for it, as widgets beside the tool bar; false where there is nothing to choose.
+  virtual bool has_options() const { return false; }
+  virtual void draw_options(AppContext& /*context*/) {}
   /// Over the view, under the panels. `mouse` is absent while the cursor is elsewhere.
   virtual void draw(Painter& painter, const ViewMap& map, const ViewMouse* mouse, const AppContext& context) = 0;
 };

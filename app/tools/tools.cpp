@@ -17,6 +17,18 @@ const std::vector<ToolInfo>& tools() {
        "Drag: a ball as hard as a wall follows the mouse and pushes the material aside; the wheel sets the size of the "
        "next ball.",
        make_push_tool},
+      {"cut", "Cut",
+       "Drag: the material under the brush is taken away, in 3D all that is behind the mouse. Undo puts it back; the "
+       "energy balance says what went with it.",
+       make_cut_tool},
+      {"paint", "Paint",
+       "Drag: the material under the brush becomes another one of the scene, deformed as it is; in 3D as deep as the "
+       "brush is wide.",
+       make_paint_tool},
+      {"probe", "Probe",
+       "A click on the material places a probe that goes along with it, one on a probe selects it; their curves are in "
+       "the drawer.",
+       make_probe_tool},
       {"arrange", "Arrange",
        "Selects bodies, walls, supports and loads; drag moves them, the round knob turns, the square one scales. In "
        "half "

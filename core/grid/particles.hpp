@@ -20,7 +20,7 @@ struct Particles {
   std::vector<Vec<D>> a;                ///< acceleration [m/s^2]; empty unless the time scheme carries one
   std::vector<double> mass;             ///< m_p = R0 V_p^0 [kg]
   std::vector<double> volume0;          ///< V_p^0 [m^D]
-  std::vector<std::uint32_t> id;        ///< index at t = 0
+  std::vector<std::uint32_t> id;        ///< in the order in which they came; never used again
   std::vector<std::uint16_t> body;      ///< into Scene::bodies
   std::vector<std::uint16_t> material;  ///< into Scene::materials
 

@@ -6,7 +6,9 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
+#include <unordered_map>
 
 #include "core/files.hpp"
 #include "core/output/csv_table.hpp"
@@ -238,19 +240,51 @@ double largest_displacement(const ReadParticles& particles) {
   return largest;
 }
 
-void compare_frame(const ReadParticles& a, const ReadParticles& b, std::map<std::string, FieldDifference>& fields,
-                   std::map<std::string, Sums>& sums) {
+/// Whether both began at the same place.
+bool same_origin(const ReadField* X, std::size_t p, const ReadField* Y, std::size_t q) {
+  if (X == nullptr || Y == nullptr) return false;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double x = X->values[3 * p + a], y = Y->values[3 * q + a];
+    if (!(std::abs(x - y) <= 1e-9 * std::max(std::abs(x), std::abs(y)))) return false;
+  }
+  return true;
+}
+
+/// Row in `b` of each of `a`'s particles, by id; none: it is not there. Where there are not as many, some may have been
+/// cut away, or the bodies were sampled otherwise: then a particle is one that began at the same place, too. Files
+/// without ids go by their order.
+std::vector<std::optional<std::size_t>> partners(const ReadParticles& a, const ReadParticles& b) {
+  const ReadField *x = a.find("position"), *ids = a.find("id"), *others = b.find("id");
+  std::vector<std::optional<std::size_t>> rows(x->values.size() / x->components);
+  const bool as_many = x->values.size() == b.find("position")->values.size();
+  std::unordered_map<double, std::size_t> row_of;
+  for (std::size_t q = 0; others != nullptr && q < others->values.size(); ++q) row_of.emplace(others->values[q], q);
+  for (std::size_t p = 0; p < rows.size(); ++p) {
+    if (ids == nullptr || others == nullptr) {
+      if ((p + 1) * x->components <= b.find("position")->values.size()) rows[p] = p;
+    } else if (const auto found = row_of.find(ids->values[p]); found != row_of.end()) {
+      if (as_many || same_origin(a.find("X"), p, b.find("X"), found->second)) rows[p] = found->second;
+    }
+  }
+  return rows;
+}
+
+void compare_frame(const ReadParticles& a, const ReadParticles& b,
+                   const std::vector<std::optional<std::size_t>>& partner,
+                   std::map<std::string, FieldDifference>& fields, std::map<std::string, Sums>& sums) {
   Numbers here, there;
   for (const ReadField& field : a.fields) {
     const ReadField* other = b.find(field.name);
     if (other == nullptr || field.name == "id" || other->components != field.components) continue;
     FieldDifference& total = fields[field.name];
     Sums& sum = sums[field.name];
-    for (std::size_t p = 0; p * field.components < std::min(field.values.size(), other->values.size()); ++p) {
-      const auto first = static_cast<std::ptrdiff_t>(p * field.components);
-      const auto last = first + static_cast<std::ptrdiff_t>(field.components);
-      here.assign(field.values.begin() + first, field.values.begin() + last);
-      there.assign(other->values.begin() + first, other->values.begin() + last);
+    const std::size_t n = field.components;
+    for (std::size_t p = 0; p * n < field.values.size() && p < partner.size(); ++p) {
+      if (!partner[p] || (*partner[p] + 1) * n > other->values.size()) continue;
+      const auto first = static_cast<std::ptrdiff_t>(p * n), second = static_cast<std::ptrdiff_t>(*partner[p] * n);
+      const auto length = static_cast<std::ptrdiff_t>(n);
+      here.assign(field.values.begin() + first, field.values.begin() + first + length);
+      there.assign(other->values.begin() + second, other->values.begin() + second + length);
       add(total, sum.squares, sum.count, here, there, a.time);
     }
   }
@@ -270,14 +304,20 @@ void compare_exports(const fs::path& a, const fs::path& b, Comparison& result) {
     const ReadParticles one = read_particles(file), two = read_particles(in_b.at(number));
     const ReadField *x = one.find("position"), *y = two.find("position");
     const bool same_time = !(std::abs(one.time - two.time) > 1e-9 * std::abs(one.time));
-    if (x == nullptr || y == nullptr || x->values.size() != y->values.size() || !same_time) {
-      result.notes.push_back("export: frame " + number + " has another " +
-                             (same_time ? "number of particles" : "time"));
+    if (x == nullptr || y == nullptr || !same_time) {
+      result.notes.push_back("export: frame " + number + " has another time");
       continue;
+    }
+    const auto partner = partners(one, two);
+    const auto shared = static_cast<std::size_t>(
+        std::count_if(partner.begin(), partner.end(), [](const auto& row) { return row.has_value(); }));
+    if (shared != partner.size() || y->values.size() != x->values.size()) {
+      result.notes.push_back("export: frame " + number + " has another number of particles, or other ones");
+      if (shared == 0 || one.find("id") == nullptr || two.find("id") == nullptr) continue;
     }
     ++frames;
     displacement = std::max({displacement, largest_displacement(one), largest_displacement(two)});
-    compare_frame(one, two, fields, sums);
+    compare_frame(one, two, partner, fields, sums);
   }
   for (const auto& [number, file] : in_b) alone += in_a.contains(number) ? 0 : 1;
   for (auto& [name, field] : fields) {

@@ -12,6 +12,7 @@ constexpr std::array causes{
     EnergyCause{"walls_and_supports", [](const EnergyLedger& e) { return e.boundary; }},
     EnergyCause{"mouse", [](const EnergyLedger& e) { return e.mouse; }},
     EnergyCause{"edits", [](const EnergyLedger& e) { return e.edits; }},
+    EnergyCause{"strokes", [](const EnergyLedger& e) { return e.strokes; }},
     EnergyCause{"time_integration", [](const EnergyLedger& e) { return e.time_integration; }},
     EnergyCause{"to_grid", [](const EnergyLedger& e) { return e.to_grid; }},
     EnergyCause{"to_particles", [](const EnergyLedger& e) { return e.to_particles; }},

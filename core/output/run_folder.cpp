@@ -59,8 +59,7 @@ Kept prepare_run_folder(const RunFolder& folder, const Scene& scene, const Check
   make_folder(folder.root);
   Kept kept;
   if (!has_our_stats(folder.stats())) return kept;
-  const std::string header =
-      stats_header(scene.dimension, !scene.exact_position.empty(), scene.time.control == "adaptive");
+  const std::string header = stats_header(stats_columns(scene));
   if (resumed != nullptr && keep_stats_until(folder.stats(), header, resumed->step, resumed->time)) {
     kept.step = resumed->step;
     kept.frames = earlier_frames(folder.stats(), scene.time, resumed->cursor.frames);

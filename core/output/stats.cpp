@@ -1,5 +1,6 @@
 #include "core/output/stats.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <sstream>
 
@@ -25,19 +26,32 @@ OutputFile::Mode mode(const std::optional<long>& kept_step) {
 
 }  // namespace
 
-std::string stats_header(int dimension, bool exact, bool adaptive) {
+StatsColumns stats_columns(const Scene& scene) {
+  return {.dimension = scene.dimension,
+          .exact = !scene.exact_position.empty(),
+          .adaptive = scene.time.control == "adaptive",
+          .strokes = std::any_of(scene.events.begin(), scene.events.end(),
+                                 [](const Event& event) { return !event.strokes.empty(); })};
+}
+
+std::string stats_header(const StatsColumns& columns) {
   std::string header =
       "step,time,dt,newton_iterations,linear_iterations,residual,kinetic_energy,elastic_energy,potential_energy,"
       "total_energy,momentum_x,momentum_y,";
-  if (dimension == 3) header += "momentum_z,angular_momentum_x,angular_momentum_y,";
+  if (columns.dimension == 3) header += "momentum_z,angular_momentum_x,angular_momentum_y,";
   header += "angular_momentum_z,min_J,max_J,active_nodes,cfl,wall_ms";
-  if (exact) header += ",error_l2,error_max,error_velocity_l2,error_F_l2";
-  if (adaptive) header += ",integrator,limited_by,error_rate,explicit_limit,implicit_cost,explicit_cost,given_up";
+  if (columns.exact) header += ",error_l2,error_max,error_velocity_l2,error_F_l2";
+  if (columns.adaptive)
+    header += ",integrator,limited_by,error_rate,explicit_limit,implicit_cost,explicit_cost,given_up";
+  if (columns.strokes) {
+    header += ",cut_particles,painted_particles,removed_mass,removed_energy,removed_momentum_x,removed_momentum_y";
+    if (columns.dimension == 3) header += ",removed_momentum_z";
+  }
   return header + ",stable_step,converged";
 }
 
-std::string stats_row(const StepReport& report, int dimension, bool exact, bool adaptive,
-                      std::optional<double> stable_step, bool converged) {
+std::string stats_row(const StepReport& report, const StatsColumns& columns, std::optional<double> stable_step,
+                      bool converged) {
   const Balance& balance = report.balance;
   std::string row = std::to_string(report.step);
   add(row, report.time);
@@ -47,17 +61,17 @@ std::string stats_row(const StepReport& report, int dimension, bool exact, bool 
   for (const double value : {report.residual, balance.kinetic, balance.elastic, balance.potential, balance.total(),
                              balance.momentum.x(), balance.momentum.y()})
     add(row, value);
-  if (dimension == 3)
+  if (columns.dimension == 3)
     for (const double value : {balance.momentum.z(), balance.angular_momentum.x(), balance.angular_momentum.y()})
       add(row, value);
   for (const double value : {balance.angular_momentum.z(), report.min_J, report.max_J}) add(row, value);
   add(row, static_cast<long>(report.active_nodes));
   add(row, report.cfl);
   add(row, report.ms.total);
-  if (exact)
+  if (columns.exact)
     for (const double value : {report.error.l2, report.error.max, report.error.velocity_l2, report.error.F_l2})
       add(row, value);
-  if (adaptive) {
+  if (columns.adaptive) {
     // The initial state was not chosen, nor was a step after an event that made them fixed.
     const ControlReport& control = report.control;
     const bool chosen = control.adaptive && report.dt > 0;
@@ -66,6 +80,13 @@ std::string stats_row(const StepReport& report, int dimension, bool exact, bool 
          {control.error_rate, control.explicit_limit, control.implicit_cost, control.explicit_cost})
       add(row, value);
     add(row, static_cast<long>(control.given_up));
+  }
+  if (columns.strokes) {
+    const StrokeSums& sums = report.strokes;
+    add(row, static_cast<long>(sums.cut));
+    add(row, static_cast<long>(sums.painted));
+    for (const double value : {sums.mass, sums.energy}) add(row, value);
+    for (int a = 0; a < columns.dimension; ++a) add(row, sums.momentum[a]);
   }
   row += ',';
   if (stable_step) append_number(row, *stable_step);
@@ -77,12 +98,8 @@ std::string probes_header(int dimension) {
 }
 
 StatsWriter::StatsWriter(const fs::path& file, const Scene& scene, std::optional<long> kept_step)
-    : file_(file, mode(kept_step)),
-      dimension_(scene.dimension),
-      exact_(!scene.exact_position.empty()),
-      adaptive_(scene.time.control == "adaptive"),
-      kept_step_(kept_step.value_or(-1)) {
-  if (!kept_step) file_.write(stats_header(dimension_, exact_, adaptive_) + '\n');
+    : file_(file, mode(kept_step)), columns_(stats_columns(scene)), kept_step_(kept_step.value_or(-1)) {
+  if (!kept_step) file_.write(stats_header(columns_) + '\n');
 }
 
 void StatsWriter::on_state(const Simulation& simulation) {
@@ -91,7 +108,7 @@ void StatsWriter::on_state(const Simulation& simulation) {
   const bool converged = report.newton.empty() || report.residual <= simulation.scene().solver.newton_tolerance;
   std::optional<double> stable_step;
   if (report.step % stable_step_rows == 0) stable_step = simulation.stable_step();
-  file_.write(stats_row(report, dimension_, exact_, adaptive_, stable_step, converged) + '\n');
+  file_.write(stats_row(report, columns_, stable_step, converged) + '\n');
   file_.flush();
 }
 

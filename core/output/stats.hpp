@@ -11,16 +11,27 @@
 
 namespace pf {
 
+/// What a scene's stats.csv has besides what all have.
+struct StatsColumns {
+  int dimension = 2;
+  bool exact = false, adaptive = false;
+  bool strokes = false;  ///< its events cut or paint
+};
+StatsColumns stats_columns(const Scene& scene);
+
 /// First line of stats.csv, without its end. In 2D momentum_z and angular momentum about x and y are left out;
 /// errors are there where the scene has an exact motion, and with adaptive steps what was chosen and why:
-/// integrator,limited_by,error_rate,explicit_limit,implicit_cost,explicit_cost,given_up (ControlReport). Last of all
-/// stable_step: what an explicit step could be [s], in the rows whose step is a multiple of stable_step_rows, empty in
-/// the others; and converged: 1 where Newton's residual came below the tolerance (an explicit step has none to bring
-/// down), 0 where it stopped at what rounding leaves of it.
-std::string stats_header(int dimension, bool exact, bool adaptive = false);
+/// integrator,limited_by,error_rate,explicit_limit,implicit_cost,explicit_cost,given_up (ControlReport). Where events
+/// cut or paint, what that has taken out of the run so far:
+/// cut_particles,painted_particles,removed_mass,removed_energy,
+/// removed_momentum_x,removed_momentum_y[,removed_momentum_z] (StrokeSums). Last of all stable_step: what an explicit
+/// step could be [s], in the rows whose step is a multiple of stable_step_rows, empty in the others; and converged: 1
+/// where Newton's residual came below the tolerance (an explicit step has none to bring down), 0 where it stopped at
+/// what rounding leaves of it.
+std::string stats_header(const StatsColumns& columns);
 /// One row, without its end.
-std::string stats_row(const StepReport& report, int dimension, bool exact, bool adaptive = false,
-                      std::optional<double> stable_step = {}, bool converged = true);
+std::string stats_row(const StepReport& report, const StatsColumns& columns, std::optional<double> stable_step = {},
+                      bool converged = true);
 /// How often stable_step is worked out: it costs about as much as an implicit step.
 inline constexpr long stable_step_rows = 50;
 
@@ -36,8 +47,7 @@ class StatsWriter : public RunObserver {
 
  private:
   OutputFile file_;
-  int dimension_;
-  bool exact_, adaptive_;
+  StatsColumns columns_;
   long kept_step_;
 };
 

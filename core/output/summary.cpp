@@ -154,6 +154,13 @@ ordered_json SummaryWriter::document(const Simulation& simulation, const RunResu
                             {"error_max", report.error.max},
                             {"error_velocity_l2", report.error.velocity_l2},
                             {"error_F_l2", report.error.F_l2}};
+  if (const StrokeSums& strokes = report.strokes; strokes.count > 0)
+    text["strokes"] = {{"count", strokes.count},
+                       {"cut_particles", strokes.cut},
+                       {"painted_particles", strokes.painted},
+                       {"removed_mass", strokes.mass},
+                       {"removed_energy", strokes.energy},
+                       {"removed_momentum", components(strokes.momentum, scene_.dimension)}};
   text["warnings"] = ordered_json::array();
   for (const auto& [warning, count] : totals_.warnings)
     text["warnings"].push_back({{"text", warning}, {"count", count}});

@@ -32,6 +32,10 @@ constexpr Choice contact_table[] = {
     {"slip", "Slip", "slides along the boundary, never leaves it"},
     {"separate", "Separate", "may leave the boundary, never enters it"},
 };
+constexpr Choice stroke_table[] = {
+    {"cut", "Cut", "takes the particles away"},
+    {"paint", "Paint", "gives the particles another material; what they are deformed by stays"},
+};
 
 }  // namespace
 
@@ -59,6 +63,9 @@ std::span<const Choice> sampling_choices() {
 }
 std::span<const Choice> contact_choices() {
   return contact_table;
+}
+std::span<const Choice> stroke_choices() {
+  return stroke_table;
 }
 std::span<const Choice> step_control_choices() {
   static const std::vector<Choice> choices = choices_of(step_controls());

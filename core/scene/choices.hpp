@@ -23,6 +23,7 @@ std::span<const Choice> mass_choices();  ///< of the inertia and of the velocity
 std::span<const Choice> sampling_choices();
 std::span<const Choice> contact_choices();
 std::span<const Choice> step_control_choices();
+std::span<const Choice> stroke_choices();
 std::span<const Choice> shape_choices();
 
 /// nullptr when no choice has this name.

@@ -196,6 +196,9 @@ class TableOf {
     return row;
   }
 
+  /// The row that was added last.
+  Key& last() { return table_.keys.back(); }
+
   /// The finished table: what the rows say of ranges and choices goes into their readers.
   Table take() {
     for (std::size_t k = 0; k < pending_.size(); ++k) {

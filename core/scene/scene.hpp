@@ -139,9 +139,18 @@ struct Probe {
   bool operator==(const Probe&) const = default;
 };
 
+/// What a hand does to the particles of a running simulation, once: those within the shape are meant, where they are.
+struct Stroke {
+  std::string kind = "cut";  ///< "cut" takes them away, "paint" gives them another material; their F stays
+  Shape shape;               ///< in current space
+  std::string material;      ///< paint: its key in "materials"; cut: empty
+  bool operator==(const Stroke&) const = default;
+};
+
 struct Event {
   double time = 0;  ///< applied at the first step at or after it [s]
   std::vector<Edit> set;
+  std::vector<Stroke> strokes;  ///< after `set`, in this order
   bool operator==(const Event&) const = default;
 };
 

@@ -135,6 +135,26 @@ bool apply_event(Reader& reader, const Event& event, Json& document) {
   return reader.refused() == before;
 }
 
+/// What strokes refer to. The materials are those of the whole run.
+void check_strokes(Reader& reader, const Scene& scene, const Event& event) {
+  const std::vector<std::string> materials = names_of(scene.materials);
+  const Reader::Step list(reader, "strokes");
+  if (!event.strokes.empty() && !scene.exact_position.empty())
+    reader.refuse("strokes beside \"exact\"", "none: the motion that \"exact\" says is that of the whole bodies");
+  for (std::size_t k = 0; k < event.strokes.size(); ++k) {
+    const Stroke& stroke = event.strokes[k];
+    const Reader::Step at(reader, k);
+    const Reader::Step step(reader, "material");
+    if (stroke.kind == "cut" && !stroke.material.empty())
+      reader.refuse("a material beside \"cut\"", "none, or the kind \"paint\"");
+    if (stroke.kind != "paint") continue;
+    if (stroke.material.empty()) reader.refuse("nothing beside \"paint\"", "a key of \"materials\"");
+    const bool known = std::find(materials.begin(), materials.end(), stroke.material) != materials.end();
+    if (!stroke.material.empty() && !known)
+      reader.refuse(quoted_excerpt(stroke.material), suggest(stroke.material, materials));
+  }
+}
+
 /// Where in an event a problem of the edited scene comes from: the edit at or above it, or the last one.
 std::string blame(const Event& event, const std::string& pointer) {
   for (const Edit& edit : event.set) {
@@ -207,6 +227,10 @@ void check_events(Reader& reader, const Scene& scene, const Json& document) {
   for (const std::size_t k : order) {
     const Event& event = scene.events[k];
     const Reader::Step at(reader, k);
+    if (event.set.empty() && event.strokes.empty())
+      reader.refuse("an event that does nothing", "\"set\", \"strokes\", or both");
+    check_strokes(reader, scene, event);
+    if (event.set.empty()) continue;
     const Reader::Step set(reader, "set");
     if (!apply_event(reader, event, edited)) return;
     Reader inner(reader.dimension(), {});

@@ -52,7 +52,7 @@ std::string pattern_of(const std::vector<std::string>& steps, std::size_t count)
     const bool item = k == 1 && (steps[0] == "materials" || steps[0] == "bodies" || steps[0] == "boundaries" ||
                                  steps[0] == "constraints" || steps[0] == "loads" || steps[0] == "probes" ||
                                  steps[0] == "events" || steps[0] == "constants");
-    if (item) {
+    if (item || (k == 3 && steps[0] == "events" && steps[2] == "strokes")) {
       pattern += "/*";
     } else if (k >= 3 && steps[k] == "of" && k + 1 < count) {
       ++k;

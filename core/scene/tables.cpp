@@ -188,12 +188,12 @@ const Table& probe_table() {
     TableOf<Probe> t("Probe");
     t.text(&Probe::name, "name", "Name")
         .at_least(1)
-        .reset()
+        .live()
         .help("Names the probe in probes.csv; \"probe1\", ... by default.");
     t.vector(&Probe::at, "at", "Reference point", "m")
         .within(1e9)
         .required()
-        .reset()
+        .live()
         .help("The particle nearest to this point of the reference body is followed.");
     return t.take();
   }();

@@ -19,6 +19,7 @@ const Table& constraint_table();
 const Table& load_table();
 const Table& probe_table();
 const Table& event_table();
+const Table& stroke_table();
 const Table& shape_table();  ///< every shape's keys
 
 /// What a shape stands for decides what is degenerate.

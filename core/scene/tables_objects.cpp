@@ -1,4 +1,4 @@
-// The tables of what a scene is made of: bodies, boundaries, constraints, loads.
+// The tables of what a scene is made of: bodies, boundaries, constraints, loads; and of strokes.
 #include "core/scene/key_builder.hpp"
 #include "core/scene/tables.hpp"
 
@@ -95,6 +95,30 @@ const Table& constraint_table() {
         .slider(-10, 10)
         .live()
         .help("Prescribed velocity of the fixed components, as a function of time t.");
+    return t.take();
+  }();
+  return table;
+}
+
+const Table& stroke_table() {
+  static const Table table = [] {
+    TableOf<Stroke> t("Stroke");
+    t.choice(&Stroke::kind, "kind", "Kind")
+        .choices(stroke_choices())
+        .required()
+        .reset()
+        .help("What is done to the particles.");
+    add_shape(t, &Stroke::shape, ShapeUse::region, "shape", "Shape",
+              "The particles that are within it when the event applies are meant.");
+    t.leaf(
+         SettingKind::text, "material", "Material", "",
+         [](Reader& r, const Json& j, const Setting& s, Stroke& o) { return read_text(r, j, s, o.material); },
+         [](const Stroke& o, const WriteStyle&) {
+           return o.material.empty() ? std::nullopt : std::optional<Json>(o.material);
+         })
+        .at_least(1)
+        .reset()
+        .help("Of paint: a key of \"materials\".");
     return t.take();
   }();
   return table;

@@ -6,7 +6,7 @@ namespace pf {
 namespace {
 
 constexpr std::size_t most_bodies = 10'000, most_boundaries = 1'000, most_constraints = 1'000, most_loads = 1'000,
-                      most_probes = 10'000, most_events = 100'000;
+                      most_probes = 10'000, most_events = 100'000, most_strokes = 1'000;
 
 /// "format" and "version" say what the file is; the scene does not keep them.
 void add_header(TableOf<Scene>& t) {
@@ -132,15 +132,20 @@ const Table& event_table() {
         .reset()
         .help("Applied at the first step at or after this time.");
     Key& row = t.own(Nesting::map, nullptr, "set", "Edits");
-    row.setting.required = true;
     row.setting.help = "Pointers into the scene and their new values; only settings that apply live.";
     row.read = [](Reader& r, const Json& j, void* o) { read_event_edits(r, j, static_cast<Event*>(o)->set); };
     row.write = [](const void* o, const WriteStyle&) {
       Json object = Json::object();
       for (const Edit& edit : static_cast<const Event*>(o)->set) object[edit.pointer] = Json(edit.value);
-      return object;
+      return object.empty() ? std::nullopt : std::optional<Json>(object);
     };
     row.schema = [] { return Json{{"type", "object"}, {"minProperties", 1}, {"propertyNames", {{"pattern", "^/"}}}}; };
+    t.list(&Event::strokes, stroke_table, 1, most_strokes, "strokes", "Strokes")
+        .help("Cuts and paints the material, after the edits, one after the other.");
+    Key& strokes = t.last();
+    strokes.write = [all = strokes.write](const void* o, const WriteStyle& style) {
+      return static_cast<const Event*>(o)->strokes.empty() ? std::nullopt : all(o, style);
+    };
     return t.take();
   }();
   return table;

@@ -88,6 +88,10 @@ void SimulationOf<D>::capture(const SnapshotRequest& request, Snapshot& into) co
   if (request.velocities)
     for (std::size_t p = 0; p < n; ++p)
       for (int a = 0; a < D; ++a) into.v.push_back(static_cast<float>(particles_.v[p][a]));
+  into.X.clear();
+  if (request.reference)
+    for (const Vec<D>& X : particles_.X) into.X.insert(into.X.end(), X.data(), X.data() + D);
+  into.probes = probes();
   into.nodes = 0;
   if (request.grid) capture_grid(into);
   capture_fields(request, into);
@@ -126,25 +130,36 @@ ParticleState SimulationOf<D>::state_of(std::size_t p) const {
 }
 
 template <int D>
+std::vector<std::uint32_t> SimulationOf<D>::ranks() const {
+  std::vector<std::uint32_t> rank(came_, 0);
+  for (const std::uint32_t id : particles_.id) rank[id] = 1;
+  std::exclusive_scan(rank.begin(), rank.end(), rank.begin(), std::uint32_t{0});
+  return rank;
+}
+
+template <int D>
 std::vector<ParticleState> SimulationOf<D>::particles() const {
   std::vector<ParticleState> states(particles_.size());
-  for (std::size_t p = 0; p < particles_.size(); ++p) states[particles_.id[p]] = state_of(p);
+  const std::vector<std::uint32_t> rank = ranks();
+  for (std::size_t p = 0; p < particles_.size(); ++p) states[rank[particles_.id[p]]] = state_of(p);
   return states;
 }
 
 template <int D>
 ParticleState SimulationOf<D>::particle(std::uint32_t id) const {
-  const auto found = std::find(particles_.id.begin(), particles_.id.end(), id);
-  if (found == particles_.id.end()) throw std::out_of_range("no particle " + std::to_string(id));
-  return state_of(static_cast<std::size_t>(found - particles_.id.begin()));
+  const std::size_t p = place_of(id);
+  if (p == particles_.size()) throw std::out_of_range("no particle " + std::to_string(id));
+  return state_of(p);
 }
 
 template <int D>
 std::vector<ProbeReading> SimulationOf<D>::probes() const {
   std::vector<ProbeReading> readings;
-  for (std::size_t k = 0; k < probe_ids_.size(); ++k) {
-    const ParticleState s = particle(probe_ids_[k]);
-    readings.push_back({k, s.id, s.x, s.v, s.sigma});
+  for (std::size_t k = 0; k < probes_.size(); ++k) {
+    const std::size_t p = place_of(probes_[k].id);
+    if (p == particles_.size()) continue;
+    const ParticleState s = state_of(p);
+    readings.push_back({k, s.id, s.x, s.v, s.sigma, s.X, s.F});
   }
   return readings;
 }
@@ -154,6 +169,7 @@ std::vector<ProbeReading> SimulationOf<D>::probes() const {
   template double SimulationOf<D>::recent_stable_step() const;                     \
   template void SimulationOf<D>::capture(const SnapshotRequest&, Snapshot&) const; \
   template std::vector<ProbeReading> SimulationOf<D>::probes() const;              \
+  template std::vector<std::uint32_t> SimulationOf<D>::ranks() const;              \
   template std::vector<ParticleState> SimulationOf<D>::particles() const;          \
   template ParticleState SimulationOf<D>::particle(std::uint32_t) const;
 PF_INSTANTIATE(2)

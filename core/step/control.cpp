@@ -8,11 +8,9 @@
 
 namespace pf {
 
-namespace {
-
 /// The longest side of the largest body [m].
 template <int D>
-double size_of(const Particles<D>& particles, double spacing) {
+double SimulationOf<D>::size_of(const Particles<D>& particles, double spacing) {
   std::vector<Vec<D>> low, high;
   for (std::size_t p = 0; p < particles.size(); ++p) {
     const std::size_t body = particles.body[p];
@@ -27,8 +25,6 @@ double size_of(const Particles<D>& particles, double spacing) {
   for (std::size_t k = 0; k < low.size(); ++k) size = std::max(size, (high[k] - low[k]).maxCoeff());
   return size;
 }
-
-}  // namespace
 
 template <int D>
 double SimulationOf<D>::weigh(const Work& work) const {
@@ -94,8 +90,10 @@ void SimulationOf<D>::tell_control(StepOutcome outcome, StepReport& report) {
   control_->accepted(outcome);
   if (control_->wants_positions()) {
     std::vector<double> x(particles_.size() * D);
+    const std::vector<std::uint32_t> rank = ranks();
     for (std::size_t p = 0; p < particles_.size(); ++p)
-      for (int a = 0; a < D; ++a) x[particles_.id[p] * D + static_cast<std::size_t>(a)] = particles_.x[p][a] / size_;
+      for (int a = 0; a < D; ++a)
+        x[rank[particles_.id[p]] * D + static_cast<std::size_t>(a)] = particles_.x[p][a] / size_;
     control_->tell_positions(time_, x);
   }
   control_->report(report.control);
@@ -113,6 +111,7 @@ double SimulationOf<D>::stable_step() const {
 }
 
 #define PF_INSTANTIATE(D)                                                     \
+  template double SimulationOf<D>::size_of(const Particles<D>&, double);      \
   template double SimulationOf<D>::weigh(const Work&) const;                  \
   template std::unique_ptr<StepControl> SimulationOf<D>::new_control() const; \
   template void SimulationOf<D>::make_control();                              \

@@ -115,7 +115,7 @@ Look SimulationOf<D>::look(const LookQuestion& question) const {
   Look look;
   look.step = accepted_.step;
   look.time = time_;
-  if (question.particle && *question.particle < particles_.size()) look.particle = look_at_particle(*question.particle);
+  if (question.particle && has_particle(*question.particle)) look.particle = look_at_particle(*question.particle);
   if (question.node) look.node = look_at_node(*question.node);
   return look;
 }

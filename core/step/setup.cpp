@@ -46,13 +46,7 @@ SimulationOf<D>::SimulationOf(const Scene& scene, const SimulationOptions& optio
   for (std::size_t k = 0; k < scene_.bodies.size(); ++k) add_body(k);
   make_settings();
   if (known_.known()) known_.set_initial_state(particles_);
-  for (const Probe& probe : scene_.probes) {
-    const Vec<D> at = probe.at.head<D>();
-    std::size_t nearest = 0;
-    for (std::size_t p = 1; p < particles_.size(); ++p)
-      if ((particles_.X[p] - at).squaredNorm() < (particles_.X[nearest] - at).squaredNorm()) nearest = p;
-    probe_ids_.push_back(particles_.id[nearest]);
-  }
+  follow_probes({});
   make_control();
   plan_.set_domains(domain_edges());
   plan_.set_edges(edge_planes(scene_, particles_));
@@ -100,10 +94,33 @@ void SimulationOf<D>::add_body(std::size_t index, const Samples& samples) {
     if (carried) particles_.a.push_back(Vec<D>::Zero());
     particles_.mass.push_back(scene_.materials[material].density * samples.volume);
     particles_.volume0.push_back(samples.volume);
-    particles_.id.push_back(static_cast<std::uint32_t>(particles_.id.size()));
+    particles_.id.push_back(came_++);
     particles_.body.push_back(static_cast<std::uint16_t>(index));
     particles_.material.push_back(static_cast<std::uint16_t>(material));
   }
+}
+
+template <int D>
+void SimulationOf<D>::follow_probes(const std::vector<Followed>& known) {
+  std::vector<Followed> followed;
+  for (const Probe& probe : scene_.probes) {
+    const Vec<D> at = probe.at.head<D>();
+    const auto before = std::find_if(known.begin(), known.end(), [&](const Followed& f) { return f.at == at; });
+    if (before != known.end()) {
+      followed.push_back(*before);
+      continue;
+    }
+    // The order of the particles is that of the grid's blocks: of several that are as near, the first that came.
+    const auto nearer = [&](std::size_t p, std::size_t q) {
+      const double a = (particles_.X[p] - at).squaredNorm(), b = (particles_.X[q] - at).squaredNorm();
+      return a != b ? a < b : particles_.id[p] < particles_.id[q];
+    };
+    std::size_t nearest = 0;
+    for (std::size_t p = 1; p < particles_.size(); ++p)
+      if (nearer(p, nearest)) nearest = p;
+    followed.push_back({at, particles_.id[nearest]});
+  }
+  probes_ = std::move(followed);
 }
 
 template <int D>
@@ -168,7 +185,6 @@ bool share_constraints(const std::vector<Constraint>& a, const std::vector<Const
 bool made_alike(const Scene& a, const Scene& b) {
   return a.dimension == b.dimension && a.constants == b.constants && a.grid.spacing == b.grid.spacing &&
          extends(a.bodies, b.bodies) && a.exact_position == b.exact_position && a.manufactured == b.manufactured &&
-         a.probes == b.probes &&
          alike(a.materials, b.materials,
                [](const Material& m, const Material& n) { return m.name == n.name && m.density == n.density; }) &&
          share_walls(a.boundaries, b.boundaries) && share_constraints(a.constraints, b.constraints) &&
@@ -204,6 +220,7 @@ bool SimulationOf<D>::apply(const Scene& scene) {
                        scene.transfer != scene_.transfer || scene.integrator != scene_.integrator ||
                        scene.solver != scene_.solver;
   if (scene.time.end != scene_.time.end) end_ = scene.time.end;
+  const bool probes = scene.probes != scene_.probes;
   const bool other_control = scene.time.control != scene_.time.control;
   // Adaptive control keeps what it knows where only loads, walls or the end have changed.
   const bool control = scene.time.control == "fixed" || other_control || physics || basis ||
@@ -221,6 +238,7 @@ bool SimulationOf<D>::apply(const Scene& scene) {
     plan_.set_edges(edge_planes(scene_, particles_));
     build_plan_or_throw();
   }
+  if (probes) follow_probes(probes_);
   if (control || more) make_control();
   if (was_affine && !transfer_->affine())
     for (Mat<D>& C : particles_.C) C.setZero();
@@ -279,13 +297,14 @@ std::string SimulationOf<D>::solver_choice() const {
 template SimulationOf<2>::SimulationOf(const Scene&, const SimulationOptions&);
 template SimulationOf<3>::SimulationOf(const Scene&, const SimulationOptions&);
 
-#define PF_INSTANTIATE(D)                                                  \
-  template void SimulationOf<D>::make_settings();                          \
-  template void SimulationOf<D>::show_grid_at_rest(const FeasibleSet<D>&); \
-  template void SimulationOf<D>::build_plan_or_throw();                    \
-  template std::vector<double> SimulationOf<D>::domain_edges() const;      \
-  template bool SimulationOf<D>::apply(const Scene&);                      \
-  template void SimulationOf<D>::set_grab(const std::optional<Grab>&);     \
+#define PF_INSTANTIATE(D)                                                     \
+  template void SimulationOf<D>::make_settings();                             \
+  template void SimulationOf<D>::follow_probes(const std::vector<Followed>&); \
+  template void SimulationOf<D>::show_grid_at_rest(const FeasibleSet<D>&);    \
+  template void SimulationOf<D>::build_plan_or_throw();                       \
+  template std::vector<double> SimulationOf<D>::domain_edges() const;         \
+  template bool SimulationOf<D>::apply(const Scene&);                         \
+  template void SimulationOf<D>::set_grab(const std::optional<Grab>&);        \
   template std::string SimulationOf<D>::solver_choice() const;
 PF_INSTANTIATE(2)
 PF_INSTANTIATE(3)

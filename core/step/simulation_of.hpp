@@ -1,6 +1,7 @@
 // The simulation in D dimensions: owns particles and grid; step() reads like THEORY T3 to T5.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <numeric>
 
@@ -42,10 +43,12 @@ class SimulationOf final : public Simulation {
   bool apply(const Scene& scene) override;
   void set_ledger(bool on) override { ledger_ = on; }
   void set_grab(const std::optional<Grab>& grab) override;
+  std::size_t stroke(const Stroke& stroke) override;
   void capture(const SnapshotRequest& request, Snapshot& into) const override;
   std::vector<ProbeReading> probes() const override;
   std::vector<ParticleState> particles() const override;
   ParticleState particle(std::uint32_t id) const override;
+  bool has_particle(std::uint32_t id) const override { return place_of(id) < particles_.size(); }
   Look look(const LookQuestion& question) const override;
   void set_recording(RecordLevel level) override { recording_ = level; }
   std::shared_ptr<const StepRecord> record() const override { return record_; }
@@ -75,6 +78,22 @@ class SimulationOf final : public Simulation {
     std::vector<std::uint8_t> state;
   };
 
+  /// Where a particle is in the arrays; their size where there is none.
+  std::size_t place_of(std::uint32_t id) const {
+    return static_cast<std::size_t>(std::find(particles_.id.begin(), particles_.id.end(), id) - particles_.id.begin());
+  }
+  /// By id: how many of the particles that are there have a smaller one.
+  std::vector<std::uint32_t> ranks() const;
+  static double size_of(const Particles<D>& particles, double spacing);
+  /// A probe's particle, chosen when it was placed.
+  struct Followed {
+    Vec<D> at;
+    std::uint32_t id;
+  };
+  /// The scene's probes; those that are among `known` keep their particle.
+  void follow_probes(const std::vector<Followed>& known);
+  void take_away(const std::vector<char>& gone);
+  void repaint(const std::vector<char>& meant, std::uint16_t material);
   void add_body(std::size_t index);
   void add_body(std::size_t index, const Samples& samples);
   void make_settings();
@@ -145,7 +164,7 @@ class SimulationOf final : public Simulation {
   ElasticMemory elastic_memory_;         ///< tangents while a step is solved for, then what `moved_` points to
   Particles<D> other_;                   ///< the same where steps are explicit
   Motion<D> moved_{};
-  std::vector<std::uint32_t> probe_ids_;
+  std::vector<Followed> probes_;
 
   /// The stable step that was worked out last; 0 s: none.
   struct StableStep {
@@ -168,6 +187,10 @@ class SimulationOf final : public Simulation {
 
   bool ledger_ = false;
   double edited_energy_ = 0;  ///< what edits changed the energy by since the last step [J]
+  std::uint32_t came_ = 0;    ///< particles that there have been: ids are below it
+  StrokeSums strokes_;
+  double stroked_energy_ = 0;            ///< what strokes changed since the last step [J]
+  Vec3 stroked_angular_ = Vec3::Zero();  ///< [kg m^2/s]
 };
 
 }  // namespace pf

@@ -313,9 +313,13 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
   // Velocities that are only reported have no momentum that transfers or the time scheme could lose.
   if (!has_inertia(choice))
     report.angular = {.outside = report.balance.angular_momentum - accepted_.balance.angular_momentum};
-  if (ledger_)
+  report.angular.strokes = stroked_angular_;
+  if (ledger_) {
     report.energy = close_ledger(energies, accepted_.balance, report.balance, has_inertia(choice), edited_energy_);
-  edited_energy_ = 0;
+    report.energy.strokes = stroked_energy_;
+  }
+  edited_energy_ = stroked_energy_ = 0;
+  stroked_angular_.setZero();
   report.work = work_;
   tell_control(outcome, report);
   lap(report.ms.diagnostics);
@@ -366,6 +370,7 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::judge(const NewtonResult& new
 template <int D>
 void SimulationOf<D>::fill_diagnostics(StepReport& report) const {
   report.time = time_;
+  report.strokes = strokes_;
   const bool known_energy = elastic_memory_.rest_plan == plan_.made();
   report.balance = particle_balance<D>(particles_, laws_, plan_, transfer_->affine(), loads_.gravity(), parallel_,
                                        known_energy ? &elastic_memory_.rest_energy : nullptr);

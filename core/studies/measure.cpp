@@ -165,18 +165,14 @@ class Errors {
 /// Noise of stress and velocity at the times of comparison.
 class Noise {
  public:
-  Noise(const Scene& scene, const std::vector<ParticleState>& particles) {
-    std::vector<Vec3> X;
-    std::vector<std::uint16_t> body;
-    for (const ParticleState& p : particles) {
-      X.push_back(p.X);
-      body.push_back(p.body);
-      mass_.push_back(p.mass);
-    }
-    const LocalFit fit(scene.dimension, X, body, scene.grid.spacing);
-    for (std::size_t p = 0; p < X.size(); ++p) fits_.push_back(fit.at(X[p], body[p]));
+  Noise(const Scene& scene, const std::vector<ParticleState>& particles)
+      : dimension_(scene.dimension), spacing_(scene.grid.spacing) {
+    fit(particles);
   }
   void add(const std::vector<ParticleState>& particles) {
+    const bool others = !std::equal(particles.begin(), particles.end(), ids_.begin(), ids_.end(),
+                                    [](const ParticleState& p, std::uint32_t id) { return p.id == id; });
+    if (others) fit(particles);  // some have come, or were cut away
     std::vector<double> stress, velocity;
     for (const ParticleState& p : particles) {
       for (int k = 0; k < 9; ++k) stress.push_back(p.sigma.data()[k]);
@@ -194,6 +190,23 @@ class Noise {
   }
 
  private:
+  void fit(const std::vector<ParticleState>& particles) {
+    std::vector<Vec3> X;
+    std::vector<std::uint16_t> body;
+    ids_.clear(), mass_.clear(), fits_.clear();
+    for (const ParticleState& p : particles) {
+      X.push_back(p.X);
+      body.push_back(p.body);
+      ids_.push_back(p.id);
+      mass_.push_back(p.mass);
+    }
+    const LocalFit fit(dimension_, X, body, spacing_);
+    for (std::size_t p = 0; p < X.size(); ++p) fits_.push_back(fit.at(X[p], body[p]));
+  }
+
+  int dimension_;
+  double spacing_;
+  std::vector<std::uint32_t> ids_;  ///< of the particles that the fits are for
   std::vector<FitWeights> fits_;
   std::vector<double> mass_;
   double squares_[4] = {};
@@ -212,7 +225,8 @@ class Examiner final : public RunObserver {
 
   void on_state(const Simulation& simulation) override {
     const Balance& balance = simulation.report().balance;
-    if (!scene_.probes.empty()) probe_.add(simulation.time(), simulation.probes().front().x);
+    if (const std::vector<ProbeReading> probes = simulation.probes(); !probes.empty() && probes.front().probe == 0)
+      probe_.add(simulation.time(), probes.front().x);
     if (!ledger_) {
       const std::vector<ParticleState> particles = simulation.particles();
       ledger_.emplace(scene_, particles, balance,

@@ -1,4 +1,5 @@
 // A fine run as a reference: particles of the same reference place are compared one by one, others through a local fit.
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -44,13 +45,10 @@ class Recorder final : public RunObserver {
 class RunReference final : public Reference {
  public:
   explicit RunReference(std::shared_ptr<const ReferenceRun> run) : run_(std::move(run)) {
-    std::vector<Vec3> X;
-    std::vector<std::uint16_t> body;
-    for (const ParticleState& particle : run_->particles.front()) {
-      X.push_back(particle.X);
-      body.push_back(particle.body);
+    for (const std::vector<ParticleState>& particles : run_->particles) {
+      const bool others = fits_.empty() || !same(particles, run_->particles[fits_.size() - 1]);
+      fits_.push_back(others ? fit_of(particles) : fits_.back());
     }
-    fit_.emplace(run_->dimension, std::move(X), std::move(body), run_->spacing);
   }
 
   std::optional<Balance> initial(std::span<const ParticleState>) const override { return run_->initial; }
@@ -62,19 +60,33 @@ class RunReference final : public Reference {
     ExpectedState state;
     state.balance = run_->balance[index];
     const double near = 1e-9 * run_->spacing;
-    for (std::size_t p = 0; p < particles.size(); ++p) {
-      const bool same = fine.size() == particles.size() && (fine[p].X - particles[p].X).norm() < near;
-      state.particles.push_back(same ? Expected{fine[p].x, fine[p].v, fine[p].F, fine[p].sigma}
-                                     : fitted(fine, particles[p]));
+    for (const ParticleState& particle : particles) {
+      const auto q = std::lower_bound(fine.begin(), fine.end(), particle.id,
+                                      [](const ParticleState& a, std::uint32_t id) { return a.id < id; });
+      const bool same = q != fine.end() && q->id == particle.id && (q->X - particle.X).norm() < near;
+      state.particles.push_back(same ? Expected{q->x, q->v, q->F, q->sigma} : fitted(*fits_[index], fine, particle));
     }
     return state;
   }
 
  private:
+  static bool same(const std::vector<ParticleState>& a, const std::vector<ParticleState>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const ParticleState& p, const ParticleState& q) { return p.id == q.id; });
+  }
+  std::shared_ptr<const LocalFit> fit_of(const std::vector<ParticleState>& particles) const {
+    std::vector<Vec3> X;
+    std::vector<std::uint16_t> body;
+    for (const ParticleState& particle : particles) {
+      X.push_back(particle.X);
+      body.push_back(particle.body);
+    }
+    return std::make_shared<LocalFit>(run_->dimension, std::move(X), std::move(body), run_->spacing);
+  }
   /// Displacement rather than position: what is fitted shall be small.
-  Expected fitted(const std::vector<ParticleState>& fine, const ParticleState& at) const {
+  static Expected fitted(const LocalFit& fit, const std::vector<ParticleState>& fine, const ParticleState& at) {
     Expected sum{Vec3::Zero(), Vec3::Zero(), Mat3::Zero(), Mat3::Zero()};
-    const FitWeights weights = fit_->at(at.X, at.body);
+    const FitWeights weights = fit.at(at.X, at.body);
     if (weights.empty()) sum.x.setConstant(std::nan(""));
     for (const auto& [q, weight] : weights) {
       sum.x += weight * (fine[q].x - fine[q].X);
@@ -87,7 +99,7 @@ class RunReference final : public Reference {
   }
 
   std::shared_ptr<const ReferenceRun> run_;
-  std::optional<LocalFit> fit_;
+  std::vector<std::shared_ptr<const LocalFit>> fits_;  ///< one a time; times of the same particles share one
 };
 
 // The cache's own bytes: this program on this machine reads what it wrote, nobody else does.

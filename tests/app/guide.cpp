@@ -11,6 +11,7 @@
 #include "app/lessons/desk.hpp"
 #include "app/panels/memory.hpp"
 #include "tests/app/find_text.hpp"
+#include "tests/app/hand.hpp"
 
 using namespace pf;
 using namespace pf::app;
@@ -26,6 +27,17 @@ struct Sized {
 };
 
 struct Shot : Stage {
+  Hand hand{*this};
+
+  Point2 pixel(const Vec3& where) { return at(*this, where); }
+  Vec3 middle() {
+    const Snapshot& s = *context().snapshot;
+    const auto d = static_cast<std::size_t>(s.dimension);
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t p = 0; p < s.particles; ++p)
+      for (std::size_t a = 0; a < d; ++a) sum[static_cast<int>(a)] += s.x[d * p + a];
+    return sum / static_cast<double>(s.particles);
+  }
   explicit Shot(const Sized& size) : Stage(small()) {
     bench.reset();
     Preferences p;
@@ -47,6 +59,7 @@ struct Shot : Stage {
     bench->open_scene(shipped(scene), {}, false);
     until([&] { return context().scene.name == shipped(scene).name && context().status.state == RunState::paused; });
     ready();
+    bench->act(Action::fit);
     steps(count);
   }
   void slow_at(PhaseKind kind, double f) {
@@ -216,6 +229,90 @@ const std::map<std::string, Prepare>& views() {
          s.until([&] { return s.bench->recorder().frames() >= 12; });
          s.context().session.pause();
          s.until([&] { return s.context().status.state == RunState::paused; });
+       }},
+      {"pin",
+       [](Shot& s) {
+         s.show("welcome", 40);
+         s.context().tool = "pin";
+         s.frames(2);
+         s.hand.click(s.pixel(s.middle() + Vec3(0, s.context().snapshot->spacing, 0)));
+         s.steps(25);
+       }},
+      {"push",
+       [](Shot& s) {
+         s.show("welcome", 60);
+         s.context().tool = "push";
+         s.frames(2);
+         const Vec3 at = s.middle();
+         s.hand.move(s.pixel(at + Vec3(0, 6 * s.context().snapshot->spacing, 0)));
+         s.hand.press();
+         s.steps(2);
+         for (int k = 1; k <= 20; ++k) {
+           s.hand.move(s.pixel(at + Vec3(0, (6 - 0.2 * k) * s.context().snapshot->spacing, 0)));
+           s.steps(1);
+         }
+       }},
+      {"cut",
+       [](Shot& s) {
+         s.show("drooping-cantilever", 20);
+         s.context().show_plot("Energy balance");
+         s.frames(3);
+         s.steps(2);
+         s.context().tool = "cut";
+         s.frames(2);
+         const Vec3 at = s.middle();
+         const double dx = s.context().snapshot->spacing;
+         s.hand.drag(s.pixel(at + Vec3(0, 5 * dx, 0)), s.pixel(at - Vec3(0, 5 * dx, 0)));
+         s.frames(4);
+         s.steps(14);
+       }},
+      {"cut-3d",
+       [](Shot& s) {
+         s.show("twisted-bar", 10);
+         s.context().tool = "cut";
+         s.frames(2);
+         const Vec3 at = s.middle();
+         s.hand.drag(s.pixel(at), s.pixel(at + Vec3(0, 2 * s.context().snapshot->spacing, 0)));
+         s.frames(4);
+         s.steps(6);
+       }},
+      {"paint",
+       [](Shot& s) {
+         Scene scene = shipped("drooping-cantilever");
+         scene.materials.push_back(scene.materials[0]);
+         scene.materials[1].name = "stiffer";
+         for (auto& [name, value] : scene.materials[1].parameters)
+           if (name == "young") value *= 20;
+         s.bench->open_scene(scene, {}, false);
+         s.until([&] { return s.context().scene == scene && s.context().status.state == RunState::paused; });
+         s.ready();
+         s.steps(4);
+         s.context().tool = "paint";
+         s.frames(2);
+         const Vec3 at = s.middle();
+         const double dx = s.context().snapshot->spacing;
+         s.hand.drag(s.pixel(at - Vec3(8 * dx, 0, 0)), s.pixel(at + Vec3(6 * dx, 0, 0)));
+         s.frames(4);
+         s.steps(12);
+       }},
+      {"probes",
+       [](Shot& s) {
+         s.show("drooping-cantilever", 6);
+         s.context().tool = "probe";
+         s.until([&] { return !s.context().snapshot->X.empty(); });
+         const Snapshot snapshot = *s.context().snapshot;
+         for (const double share : {0.15, 0.6, 0.95}) {
+           const auto far = [&](std::size_t p) {
+             return std::abs(snapshot.X[2 * p] - share * 0.98 * snapshot.X[2 * snapshot.particles - 2]) +
+                    std::abs(snapshot.X[2 * p + 1] - s.middle().y());
+           };
+           std::size_t best = 0;
+           for (std::size_t p = 0; p < snapshot.particles; ++p)
+             if (far(p) < far(best)) best = p;
+           s.hand.click(s.pixel({snapshot.x[2 * best], snapshot.x[2 * best + 1], 0}));
+           s.frames(3);
+         }
+         s.steps(30);
        }},
       {"lesson", [](Shot& s) { s.lesson_at(5, 3, true); }},
       {"lesson-newton", [](Shot& s) { s.lesson_at(4, 1, true); }},

@@ -89,3 +89,99 @@ TEST_CASE("a drag with push moves the material by a ball that is in no scene") {
   CHECK_FALSE(context.session.recorded().events.empty());
   CHECK(context.session.recording_warning().empty());
 }
+
+TEST_CASE("a drag with cut takes the material under it out of the running simulation, undo puts it back") {
+  NEEDS_DISPLAY();
+  Stage stage(small());
+  REQUIRE(stage.ready());
+  for (const char* name : {"", "twisted-bar"}) {
+    CAPTURE(name);
+    open(stage, *name ? shipped(name) : small());
+    AppContext& context = stage.context();
+    context.tool = "cut";
+    stage.frames(2);
+    const Scene before = context.scene;
+    const std::size_t all = context.snapshot->particles;
+    const Vec3 middle = mean(*context.snapshot);
+    const double dx = context.snapshot->spacing;
+    Hand hand(stage);
+    hand.drag(at(stage, middle), at(stage, middle + Vec3(0, 2 * dx, 0)));
+    REQUIRE(stage.until([&] { return context.snapshot->report.strokes.cut > 0; }));
+    CHECK(stage.until([&] { return context.snapshot->particles == all - context.snapshot->report.strokes.cut; }));
+    CHECK(context.snapshot->report.strokes.mass > 0);
+    CHECK(context.scene == before);  // what is edited is the scene at its start
+    const Vec3 gone = middle + Vec3(0, dx, 0);
+    bool empty = true;
+    const auto d = static_cast<std::size_t>(context.scene.dimension);
+    for (std::size_t p = 0; p < context.snapshot->particles; ++p) {
+      double apart = 0;
+      for (std::size_t a = 0; a < d; ++a)
+        apart += std::pow(context.snapshot->x[d * p + a] - gone[static_cast<int>(a)], 2);
+      empty = empty && apart > 0.25 * dx * dx;
+    }
+    CHECK(empty);
+    REQUIRE(stage->possible(Action::undo));
+    stage->act(Action::undo);
+    CHECK(stage.until([&] { return context.snapshot->particles == all; }));
+    CHECK(context.snapshot->report.strokes.count == 0);
+  }
+}
+
+TEST_CASE("a drag with paint gives the material under it the chosen one, shown in its colour") {
+  NEEDS_DISPLAY();
+  Scene scene = small();
+  scene.materials.push_back(scene.materials[0]);
+  scene.materials[1].name = "lead";
+  scene.materials[1].density = 4000;
+  Stage stage(scene);
+  REQUIRE(stage.ready());
+  open(stage, scene);
+  AppContext& context = stage.context();
+  context.tool = "paint";
+  context.view.field = Field::speed;
+  stage.frames(2);
+  Hand hand(stage);
+  hand.drag(at(stage, {-0.1, 0.5, 0}), at(stage, {0.1, 0.5, 0}));
+  REQUIRE(stage.until([&] { return context.snapshot->report.strokes.painted > 10; }));
+  CHECK(context.view.field == Field::material);
+  CHECK(context.snapshot->report.strokes.mass < 0);
+  std::size_t lead = 0;
+  for (const std::uint16_t m : context.snapshot->material) lead += m == 1 ? 1 : 0;
+  CHECK(lead == context.snapshot->report.strokes.painted);
+  REQUIRE(stage.steps(3));
+  CHECK(context.current.reports.back().strokes.painted == lead);
+}
+
+TEST_CASE("a click with the probe tool places one, its curve grows, delete takes it away, the scene has it") {
+  NEEDS_DISPLAY();
+  Stage stage(small(), false, 1, true);
+  REQUIRE(stage.ready());
+  for (const char* name : {"", "twisted-bar"}) {
+    CAPTURE(name);
+    open(stage, *name ? shipped(name) : small());
+    AppContext& context = stage.context();
+    const std::size_t had = context.scene.probes.size();
+    REQUIRE(stage.steps(2));
+    context.tool = "probe";
+    REQUIRE(stage.until([&] { return !context.snapshot->X.empty(); }));
+    const Vec3 middle = mean(*context.snapshot);
+    Hand hand(stage);
+    hand.click(at(stage, middle));
+    REQUIRE(context.scene.probes.size() == had + 1);
+    REQUIRE(stage.until([&] { return context.snapshot->probes.size() == had + 1; }));
+    CHECK_FALSE(context.status.edit.needs_reset);
+    CHECK((context.snapshot->probes.back().X - context.scene.probes.back().at).norm() == 0);
+    CHECK(context.status.step == 2);  // nothing was reset
+    REQUIRE(stage.steps(3));
+    REQUIRE(context.current.probes.size() == context.current.reports.size());
+    CHECK(context.current.probes.back().size() == had + 1);
+    CHECK(context.current.probes[2].size() == had + 1);  // of the state that it was placed at, too
+    const SceneItem placed{ItemKind::probe, had};
+    CHECK(context.selected_item == placed);
+    hand.click(at(stage, context.snapshot->probes.back().x));  // selects, adds none
+    CHECK(context.scene.probes.size() == had + 1);
+    stage->act(Action::undo);
+    CHECK(context.scene.probes.size() == had);
+    CHECK(stage.until([&] { return context.snapshot->probes.size() == had; }));
+  }
+}

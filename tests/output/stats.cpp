@@ -64,14 +64,14 @@ TEST_CASE("stats.csv says what adaptive steps chose and why, behind all other co
   const std::string adaptive = R"(, "time": {"end": 0.2, "step": 0.1, "control": "adaptive"})";
   const std::string added = ",integrator,limited_by,error_rate,explicit_limit,implicit_cost,explicit_cost,given_up";
   const auto header = [](int dimension, bool with_errors) {
-    const std::string fixed = stats_header(dimension, with_errors);
+    const std::string fixed = stats_header({dimension, with_errors});
     return fixed.substr(0, fixed.find(",stable_step"));
   };
-  CHECK(stats_header(2, false, true) == header(2, false) + added + ",stable_step,converged");
-  CHECK(stats_header(3, true, true) == header(3, true) + added + ",stable_step,converged");
-  CHECK(written<StatsWriter>(small_scene(2, adaptive))[0] == stats_header(2, false, true));
+  CHECK(stats_header({2, false, true}) == header(2, false) + added + ",stable_step,converged");
+  CHECK(stats_header({3, true, true}) == header(3, true) + added + ",stable_step,converged");
+  CHECK(written<StatsWriter>(small_scene(2, adaptive))[0] == stats_header({2, false, true}));
   StepReport report;
-  const auto row = [&](bool with_control) { return stats_row(report, 2, false, with_control, 0.25, false); };
+  const auto row = [&](bool with_control) { return stats_row(report, {2, false, with_control}, 0.25, false); };
   const std::string last = ",0.25,0";
   const auto without = [&] { return row(false).substr(0, row(false).size() - last.size()); };
   CHECK(row(true) == without() + ",,,0,0,0,0,0" + last);
@@ -126,7 +126,7 @@ TEST_CASE("a folder is used again: our old files go, foreign ones stay") {
     CHECK(std::filesystem::exists(folder.images() / "000007.png"));
   }
   SUBCASE("one that has our stats.csv is cleared of ours") {
-    put(folder.stats(), stats_header(2, false) + "\n");
+    put(folder.stats(), stats_header({2, false}) + "\n");
     prepare_run_folder(folder, scene);
     CHECK_FALSE(std::filesystem::exists(folder.images() / "000007.png"));
     CHECK_FALSE(std::filesystem::exists(folder.exports() / "particles_000007.vtp"));

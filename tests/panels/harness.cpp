@@ -17,7 +17,8 @@ Scene rich_scene() {
       { "name": "block", "material": "soft", "shape": { "type": "box", "min": [0.2, 0.5], "max": [0.6, 0.9] } },
       { "name": "anvil", "material": "stiff", "velocity": ["0", "-1-0.5*X"],
         "shape": { "type": "ball", "center": [1, 0.6], "radius": 0.2 } } ],
-    "boundaries": [ { "shape": { "type": "half_space", "point": [0, 0.1], "normal": [0, 1] }, "friction": 0.4 } ]
+    "boundaries": [ { "shape": { "type": "half_space", "point": [0, 0.1], "normal": [0, 1] }, "friction": 0.4 } ],
+    "probes": [ { "name": "top", "at": [0.4, 0.9] }, { "name": "anvil", "at": [1, 0.6] } ]
   })",
                      "rich scene");
 }
@@ -73,6 +74,16 @@ void fill(AppContext& context, const Scene& scene) {
   context.status.run = 1;
   context.status.solver_choice = "direct: 1612 unknowns";
   context.current.reports = made_up_reports(60);
+  context.current.probes.clear();
+  for (const StepReport& report : context.current.reports) {
+    auto& readings = context.current.probes.emplace_back();
+    for (std::size_t k = 0; k < scene.probes.size(); ++k) {
+      ProbeReading reading;
+      reading.probe = k;
+      reading.x = Vec3(report.time, static_cast<double>(k), 0);
+      readings.push_back(reading);
+    }
+  }
   auto snapshot = std::make_shared<Snapshot>();
   snapshot->dimension = scene.dimension;
   snapshot->spacing = scene.grid.spacing;

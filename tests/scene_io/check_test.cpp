@@ -216,3 +216,24 @@ TEST_CASE("problems beyond the first hundred are counted") {
   CHECK(problems.size() == 101);
   CHECK(problems.back().found == "900 more problems");
 }
+
+TEST_CASE("a stroke of an event is a known kind with a shape; paint has a material of the scene, cut has none") {
+  Json scene = small_scene();
+  const Json ball = {{"type", "ball"}, {"center", {0, 0}}, {"radius", 0.1}};
+  const auto with = [&](const Json& stroke) {
+    scene["events"] = Json::array({{{"time", 0.1}, {"strokes", Json::array({stroke})}}});
+    return problems_in(scene);
+  };
+  CHECK(with({{"kind", "cut"}, {"shape", ball}}).empty());
+  CHECK(with({{"kind", "paint"}, {"shape", ball}, {"material", scene["bodies"][0]["material"]}}).empty());
+  CHECK(has_problem(with({{"kind", "paint"}, {"shape", ball}}), "/events/0/strokes/0/material"));
+  CHECK(has_problem(with({{"kind", "paint"}, {"shape", ball}, {"material", "glas"}}), "/events/0/strokes/0/material"));
+  CHECK(has_problem(with({{"kind", "cut"}, {"shape", ball}, {"material", scene["bodies"][0]["material"]}}),
+                    "/events/0/strokes/0/material"));
+  CHECK(has_problem(with({{"kind", "slice"}, {"shape", ball}}), "/events/0/strokes/0/kind"));
+  CHECK(has_problem(with({{"kind", "cut"}}), "/events/0/strokes/0/shape"));
+  CHECK(has_problem(with({{"kind", "cut"}, {"shape", {{"type", "ball"}, {"radius", -1}}}}),
+                    "/events/0/strokes/0/shape/radius"));
+  scene["events"] = Json::array({{{"time", 0.1}}});
+  CHECK(has_problem(problems_in(scene), "/events/0"));
+}

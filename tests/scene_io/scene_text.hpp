@@ -41,7 +41,8 @@ inline nlohmann::ordered_json full_scene() {
     "constraints": [{"region": {"type": "box", "min": [0, 0], "max": [0, 1]}, "fix": [true, false], "velocity": ["A*t", 0]}],
     "loads": [{"body": "block", "region": {"type": "box", "min": [1, 0], "max": [1, 1]}, "traction": [0, "-min(t, 1)"]}],
     "probes": [{"name": "tip", "at": [1, 1]}],
-    "events": [{"time": 1, "set": {"/transfer/flip_ratio": 0}}],
+    "events": [{"time": 1, "set": {"/transfer/flip_ratio": 0},
+                "strokes": [{"kind": "paint", "material": "rubber", "shape": {"type": "ball", "center": [0, 0], "radius": 0.1}}]}],
     "view": {"color_by": "J"}
   })json");
 }

@@ -28,6 +28,7 @@ Json full_scene_3d() {
   scene["bodies"][0]["name"] = "block";
   scene["boundaries"] = Json::array({{{"shape", box}}});
   scene["constraints"] = Json::array({{{"region", box}, {"fix", {true, true, true}}}});
+  scene["events"] = Json::array({{{"time", 1}, {"strokes", {{{"kind", "cut"}, {"shape", box}}}}}});
   scene["loads"] = Json::array({{{"body", "block"}, {"region", box}, {"traction", {0, 0, 0}}}});
   return scene;
 }
@@ -45,13 +46,14 @@ Json shape_with(const std::string& key) {
 
 Holder holder_of(const Setting& setting) {
   std::vector<std::string> steps = *split_pointer(setting.pointer);
-  const bool shape = steps.size() >= 4 && (steps[2] == "shape" || steps[2] == "region");
+  const std::size_t below = steps.size() > 2 && steps[2] == "strokes" ? 5 : 3;  // of the shape, its keys
+  const bool shape = steps.size() > below && (steps[below - 1] == "shape" || steps[below - 1] == "region");
   const std::string key = steps.back();
   const bool solid = shape && (key == "from" || key == "to");
   Holder holder{solid ? full_scene_3d() : full_scene(), ""};
   for (std::size_t k = 0; k < steps.size(); ++k) {
     if (steps[k] == "*") steps[k] = steps[0] == "materials" ? "rubber" : steps[0] == "constants" ? "A" : "0";
-    if (shape && k == 3) {
+    if (shape && k == below) {
       Json made = shape_with(key);
       Json& place = holder.scene[Json::json_pointer(holder.pointer)];
       if (steps[0] == "bodies" && made["type"] == "half_space") {  // a body must be bounded
@@ -66,6 +68,7 @@ Holder holder_of(const Setting& setting) {
   if (steps[0] == "exact") {
     holder.scene["exact"] = {{"position", {"X", "Y"}}};
     holder.scene["bodies"][0].erase("velocity");
+    holder.scene["events"][0].erase("strokes");
   }
   if (steps[0] == "manufactured") holder.scene["manufactured"] = false;
   return holder;
@@ -184,6 +187,7 @@ TEST_CASE("every choice is accepted, and any other name refused with the choices
         break;
       Holder holder = holder_of(setting);
       holder.value() = choice;
+      if (choice == "cut") holder.parent().erase("material");
       CHECK_MESSAGE(problems_in(holder.scene).empty(), list(problems_in(holder.scene)));
     }
     Holder holder = holder_of(setting);

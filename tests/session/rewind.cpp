@@ -179,7 +179,7 @@ TEST_CASE("an edit on the way to a past state waits for it") {
 
 TEST_CASE("a run that failed goes back, and fails at the same step again") {
   Scene scene = falling();
-  scene.events = {{0.1, {{"/body_force", {"0*sqrt(0.15-t)", "0"}}}}};
+  scene.events = {{0.1, {{"/body_force", {"0*sqrt(0.15-t)", "0"}}}, {}}};
   Watched live(scene);
   live.session.set_rate(0);
   live.session.run();
@@ -219,7 +219,7 @@ TEST_CASE("a session with edits and branches, saved and run without a window, gi
     const long step = sample.report.step;
     rows.erase(rows.upper_bound(step), rows.end());  // of the branch that was left
     sample.report.ms.total = 0;
-    rows[step] = stats_row(sample.report, 2, false);
+    rows[step] = stats_row(sample.report, {2, false});
   }
 
   const test::TemporaryFolder folder;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "core/keyframes.hpp"
 #include "core/runner.hpp"
 #include "core/scene/scene_io.hpp"
 #include "tests/session/watched.hpp"
@@ -138,6 +139,101 @@ TEST_CASE("a ball pushes the material aside, leaves no trace in the scene, and r
     CHECK((live.simulation->report().balance.momentum - pushed).norm() < 1e-6 * pushed.norm());
     live.check_replay();
   }
+}
+
+TEST_CASE("cuts and paint replay, rewind and are taken back to the byte") {
+  for (const int d : {2, 3})
+    for (const std::size_t memory : {Keyframes::default_budget, std::size_t{0}}) {
+      CAPTURE(d);
+      CAPTURE(memory);
+      Live live(parse_scene(text_of(d), "test"));
+      live.session.set_rewind_memory(memory);
+      const auto work = [&](const Stroke& stroke, std::uint64_t gesture) {
+        const auto before = live.session.snapshot();
+        live.session.stroke(stroke, gesture);
+        live.wait([&](const SessionStatus&) { return live.session.snapshot() != before; });
+      };
+      const auto ball_of = [&](double x, double y) {
+        Shape shape;
+        shape.type = "ball";
+        shape.center = Vec3(x, y, d == 3 ? 0.15 : 0);
+        shape.radius = 0.12;
+        return shape;
+      };
+      live.steps(6);
+      const std::size_t all = live.simulation->particle_count();
+      const std::string whole = state_of(*live.simulation);
+      work({"cut", ball_of(0.3, 0.15), ""}, 1);
+      work({"cut", ball_of(0.3, 0.05), ""}, 1);
+      CHECK(live.session.status().stroke_is_newest);
+      const std::size_t left = live.session.snapshot()->particles;
+      CHECK(left < all);
+      CHECK(live.session.snapshot()->report.strokes.cut == all - left);
+      CHECK(live.session.snapshot()->id.size() == left);
+      live.steps(5);
+      work({"paint", ball_of(0.1, 0.1), "steel"}, 2);
+      live.edit({{"/gravity/1", -5.0}});
+      live.steps(5);
+      REQUIRE(live.session.recorded().events.size() == 4);
+      live.check_replay();
+      for (const long step : {6L, 8L, 11L, 16L, 2L, 16L}) live.go_to(step);
+      CHECK(live.simulation->report().strokes.cut == all - left);
+      // Another stroke in the past: what came later is forgotten. Then it is taken back, and the run stands there
+      // whole.
+      live.go_to(9);
+      work({"cut", ball_of(0.5, 0.2), ""}, 3);
+      CHECK(live.session.status().reached == 9);
+      live.steps(3);
+      live.check_replay();
+      live.session.take_back_strokes();
+      live.wait([](const SessionStatus& s) { return s.step == 9 && s.reached == 9 && s.target < 0; });
+      CHECK(live.session.snapshot()->particles == left);
+      live.session.take_back_strokes();  // of gesture 1, both
+      live.wait([](const SessionStatus& s) { return s.step == 6 && s.reached == 6 && s.target < 0; });
+      live.session.pause();
+      std::this_thread::sleep_for(5ms);
+      CHECK(state_of(*live.simulation) == whole);
+      CHECK_FALSE(live.session.status().stroke_is_newest);
+      live.session.take_back_strokes();
+      live.steps(1);
+      CHECK(live.simulation->particle_count() == all);
+    }
+}
+
+TEST_CASE("a stroke that would leave nothing is refused with a word, and leaves no record") {
+  Live live(parse_scene(text_of(2), "test"));
+  live.steps(3);
+  const std::string before = state_of(*live.simulation);
+  Shape all;
+  all.type = "ball";
+  all.radius = 9;
+  live.session.stroke({"cut", all, ""}, 1);
+  live.wait([](const SessionStatus& s) { return !s.message.empty(); });
+  CHECK(live.session.status().message.find("all particles") != std::string::npos);
+  CHECK(state_of(*live.simulation) == before);
+  CHECK(live.session.recorded().events.empty());
+}
+
+TEST_CASE("a probe that is placed is read at once, in the past too, and is no edit of the run") {
+  Live live(parse_scene(text_of(2), "test"));
+  live.steps(8);
+  live.go_to(5);
+  live.edit({{"/probes/-", {{"name", "tip"}, {"at", {0.825, 0.375}}}}});
+  REQUIRE(live.session.snapshot()->probes.size() == 1);
+  CHECK((live.session.snapshot()->probes[0].X - Vec3(0.775, 0.375, 0)).norm() < 1e-9);
+  CHECK(live.session.status().reached == 8);  // what came after is still there
+  CHECK(live.session.recorded().events.empty());
+  CHECK(live.session.recorded().probes.size() == 1);
+  live.go_to(2);
+  CHECK(live.session.snapshot()->probes.size() == 1);
+  live.go_to(8);
+  live.steps(2);
+  std::vector<HistorySample> samples;
+  live.session.drain_history(samples);
+  CHECK(samples.back().probes.size() == 1);
+  CHECK(samples.back().probes[0].x.y() < 0.375);
+  live.edit({{"/probes", nlohmann::json::array()}});
+  CHECK(live.session.snapshot()->probes.empty());
 }
 
 TEST_CASE("a wall from the middle of the list waits for the reset") {
