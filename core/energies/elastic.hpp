@@ -18,6 +18,12 @@ namespace pf {
 template <int D>
 using Laws = std::vector<std::unique_ptr<Law<D>>>;  ///< one a material
 
+/// Whether any of these materials shares volume changes.
+template <int D>
+bool any_shares_volume(const Laws<D>& laws) {
+  return std::any_of(laws.begin(), laws.end(), [](const auto& law) { return law->shares_volume(); });
+}
+
 template <int D>
 struct ElasticChunk;
 template <int D>
@@ -92,9 +98,7 @@ class ElasticEnergy final : public Energy<D> {
   double sum_force_at_rest(Vector& g);
 
   // The same where materials share volume changes (elastic_barred.cpp, elastic_patches.cpp); `u` null: at rest.
-  bool barred() const {
-    return std::any_of(laws_.begin(), laws_.end(), [](const auto& law) { return law->shares_volume(); });
-  }
+  bool barred() const { return any_shares_volume(laws_); }
   double barred_value(const Vector& u);
   double barred_gradient(const Vector* u, Vector& g, Vector* magnitude);
   void barred_tangents(const Vector& u, bool project);

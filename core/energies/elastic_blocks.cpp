@@ -88,6 +88,7 @@ inline void scatter_dense_diagonal(const Narrow<lane_count<D>>* A, const Wide<la
 
 template <int D>
 void ElasticEnergy<D>::diagonal(std::vector<Mat<D>>& blocks) {
+  const bool coupled = barred();
   constexpr int symmetric = D * (D + 1) / 2;
   with_nodes_per_axis(plan_, [&](auto k) {
     constexpr int K = k;
@@ -103,7 +104,7 @@ void ElasticEnergy<D>::diagonal(std::vector<Mat<D>>& blocks) {
         else
           scatter_diagonal<D, K>(tangent_ + index(i) * components, w, out);
       }
-      if (barred()) couple_diagonal<K>(b, local);
+      if (coupled) couple_diagonal<K>(b, local);
       const std::int32_t* table = plan_.node_table(block);
       for (int n = 0; n < S::nodes; ++n) {
         if (table[n] < 0) continue;
@@ -122,10 +123,11 @@ void ElasticEnergy<D>::diagonal(std::vector<Mat<D>>& blocks) {
 
 template <int D>
 void ElasticEnergy<D>::assemble(BlockMatrix<D>& H) {
+  const bool coupled = barred();
   with_nodes_per_axis(plan_, [&](auto k) {
     constexpr int K = k, count = D == 2 ? K * K : K * K * K;
     for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int b) {
-      if (barred()) couple_blocks<K>(block, b, H);
+      if (coupled) couple_blocks<K>(block, b, H);
       const std::int32_t* table = plan_.node_table(block);
       for (int i = block.batch_begin; i < block.batch_end; ++i) {
         const Batch& batch = plan_.batches()[index(i)];

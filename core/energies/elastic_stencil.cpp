@@ -171,6 +171,7 @@ class CellBlocks {
 
 template <int D>
 bool ElasticEnergy<D>::assemble_stencil(StencilMatrix<D>& H, const std::vector<std::int32_t>& row_of) {
+  const bool coupled = barred();
   with_nodes_per_axis(plan_, [&](auto k) {
     constexpr int K = k, edge = Stencil<D, K, 1>::edge;
     using Blocks = CellBlocks<D, K, decltype(k)::dense>;
@@ -184,7 +185,7 @@ bool ElasticEnergy<D>::assemble_stencil(StencilMatrix<D>& H, const std::vector<s
       }
     }
     for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int b) {
-      if (barred()) couple_stencil<K>(block, b, row_of, H);
+      if (coupled) couple_stencil<K>(block, b, row_of, H);
       Blocks blocks(axes);
       const std::int32_t* table = plan_.node_table(block);
       for (int i = block.batch_begin; i < block.batch_end; ++i) {

@@ -48,12 +48,6 @@ bool share_volume(std::span<const double> volume, std::span<const double> J, dou
 template <int D>
 std::pair<double, double> share_volumes(const Plan<D>& plan, const Particles<D>& particles, const Laws<D>& laws,
                                         Parallel& parallel, const Motion<D>& to);
-/// Whether any of these materials shares volume changes.
-template <int D>
-bool any_shares_volume(const Laws<D>& laws) {
-  return std::any_of(laws.begin(), laws.end(), [](const auto& law) { return law->shares_volume(); });
-}
-
 extern template bool share_volume<2>(std::span<const double>, std::span<const double>, double*, double*);
 extern template bool share_volume<3>(std::span<const double>, std::span<const double>, double*, double*);
 extern template std::pair<double, double> share_volumes<2>(const Plan<2>&, const Particles<2>&, const Laws<2>&,

@@ -161,8 +161,8 @@ LinearResult Minimiser<D>::meet_faces(NewtonIteration& record) {
     set_.restrict_to(active_.directions, model_g_);
     const double left = objective_.norm(model_g_);
     const double tolerance = accuracy * forcing() * objective_.norm(free_g_) / std::max(left, 1e-300);
-    const LinearProblem<D> problem{objective_, set_, active_.directions, model_g_, std::min(0.5, tolerance),
-                                   cancel_,    true};
+    LinearProblem<D> problem{objective_, set_, active_.directions, model_g_, std::min(0.5, tolerance), cancel_};
+    problem.same_hessian = true;
     solved = linear_.solve(problem, d_);
     record.linear_iterations += solved.iterations;
     result_.linear_iterations += solved.iterations;

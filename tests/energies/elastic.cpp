@@ -9,19 +9,6 @@ using test::Grid;
 namespace {
 
 constexpr double dx = 0.1;
-constexpr double stored_tangents = 0x1p-23;  ///< Newton's matrix is in single precision
-
-/// Every law and basis in both dimensions.
-template <class F>
-void for_all(F&& f) {
-  for (const LawInfo& law : laws())
-    for (const BasisInfo& basis : bases()) {
-      CAPTURE(law.name);
-      CAPTURE(basis.name);
-      f(std::integral_constant<int, 2>{}, law, basis);
-      f(std::integral_constant<int, 3>{}, law, basis);
-    }
-}
 
 /// Displacements that leave every J_p > 0 and strain the particles by some tenths.
 template <int D>
@@ -47,17 +34,17 @@ Grid<D>& with_law(Grid<D>& grid, const LawInfo& law) {
 }  // namespace
 
 TEST_CASE("elastic energy: gradient and Hessian are derivatives of the value") {
-  for_all([](auto d, const LawInfo& law, const BasisInfo& basis) {
+  test::for_all([](auto d, const LawInfo& law, const BasisInfo& basis) {
     constexpr int D = d;
     Grid<D> grid(test::scattered<D>(40, dx, 0.25, 41), basis.name, dx);
     with_law(grid, law);
     ElasticEnergy<D> energy(grid.plan, grid.particles, grid.laws, grid.parallel, grid.work);
-    test::check_derivatives<D>(energy, strained(grid, 2), 1e-3 * dx, stored_tangents);
+    test::check_derivatives<D>(energy, strained(grid, 2), 1e-3 * dx, test::stored_tangents);
   });
 }
 
 TEST_CASE("elastic energy: product, assembled matrix and diagonal are one Hessian, projected or not") {
-  for_all([](auto d, const LawInfo& law, const BasisInfo& basis) {
+  test::for_all([](auto d, const LawInfo& law, const BasisInfo& basis) {
     constexpr int D = d;
     Grid<D> grid(test::scattered<D>(30, dx, D == 2 ? 0.25 : 0.15, 43), basis.name, dx);
     with_law(grid, law);
@@ -81,11 +68,11 @@ TEST_CASE("elastic energy: a body of several materials is the sum of its parts")
   for (std::size_t p = 0; p < grid.particles.size(); ++p)
     sum += grid.particles.volume0[p] * test::energy<2>(*grid.laws[grid.particles.material[p]], F[p]);
   CHECK(E == doctest::Approx(sum).epsilon(1e-13));
-  test::check_derivatives<2>(energy, u, 1e-3 * dx, stored_tangents);
+  test::check_derivatives<2>(energy, u, 1e-3 * dx, test::stored_tangents);
 }
 
 TEST_CASE("patch test: an affine motion of the nodes gives every particle the exact F") {
-  for_all([](auto d, const LawInfo& law, const BasisInfo& basis) {
+  test::for_all([](auto d, const LawInfo& law, const BasisInfo& basis) {
     constexpr int D = d;
     Grid<D> grid(test::scattered<D>(200, dx, 0.7, 53), basis.name, dx);
     with_law(grid, law);
@@ -100,7 +87,7 @@ TEST_CASE("patch test: an affine motion of the nodes gives every particle the ex
 }
 
 TEST_CASE("the energy's gradient sums to no force, and for objective laws to no torque") {
-  for_all([](auto d, const LawInfo& law, const BasisInfo& basis) {
+  test::for_all([](auto d, const LawInfo& law, const BasisInfo& basis) {
     constexpr int D = d;
     Grid<D> grid(test::scattered<D>(100, dx, 0.4, 59), basis.name, dx);
     with_law(grid, law);
@@ -111,7 +98,7 @@ TEST_CASE("the energy's gradient sums to no force, and for objective laws to no 
 }
 
 TEST_CASE("a rigid rotation stores no energy under an objective law, and some under linear elasticity") {
-  for_all([](auto d, const LawInfo& law, const BasisInfo& basis) {
+  test::for_all([](auto d, const LawInfo& law, const BasisInfo& basis) {
     constexpr int D = d;
     Particles<D> particles = test::scattered<D>(100, dx, 0.4, 61);
     for (Mat<D>& F : particles.F) F.setIdentity();

@@ -8,19 +8,6 @@ using test::Grid;
 namespace {
 
 constexpr double dx = 0.1;
-constexpr double stored_tangents = 0x1p-23;
-
-/// Every law and basis in both dimensions, volume changes shared.
-template <class F>
-void for_all(F&& f) {
-  for (const LawInfo& law : laws())
-    for (const BasisInfo& basis : bases()) {
-      CAPTURE(law.name);
-      CAPTURE(basis.name);
-      f(std::integral_constant<int, 2>{}, law, basis);
-      f(std::integral_constant<int, 3>{}, law, basis);
-    }
-}
 
 template <int D>
 struct Shared : Grid<D> {
@@ -48,16 +35,16 @@ Vector affine(const Grid<D>& grid, const Mat<D>& A) {
 }  // namespace
 
 TEST_CASE("F-bar: gradient and Hessian are derivatives of the value") {
-  for_all([](auto d, const LawInfo& law, const BasisInfo& basis) {
+  test::for_all([](auto d, const LawInfo& law, const BasisInfo& basis) {
     constexpr int D = d;
     Shared<D> grid(test::scattered<D>(40, dx, 0.25, 41), law, basis.name);
     ElasticEnergy<D> energy = grid.energy();
-    test::check_derivatives<D>(energy, strained(grid, 2), 1e-3 * dx, stored_tangents);
+    test::check_derivatives<D>(energy, strained(grid, 2), 1e-3 * dx, test::stored_tangents);
   });
 }
 
 TEST_CASE("F-bar: product, assembled matrix and diagonal are one Hessian, projected or not") {
-  for_all([](auto d, const LawInfo& law, const BasisInfo& basis) {
+  test::for_all([](auto d, const LawInfo& law, const BasisInfo& basis) {
     constexpr int D = d;
     Shared<D> grid(test::scattered<D>(30, dx, D == 2 ? 0.25 : 0.15, 43), law, basis.name);
     ElasticEnergy<D> energy = grid.energy();
@@ -78,7 +65,7 @@ TEST_CASE("F-bar: beside materials without it the energy is the sum of both, and
   for (std::size_t p = 0; p < grid.particles.size(); ++p)
     sum += grid.particles.volume0[p] * test::energy<2>(*grid.laws[grid.particles.material[p]], F[p]);
   CHECK(energy.value(u) == doctest::Approx(sum).epsilon(1e-13));
-  test::check_derivatives<2>(energy, u, 1e-3 * dx, stored_tangents);
+  test::check_derivatives<2>(energy, u, 1e-3 * dx, test::stored_tangents);
   grid.laws[1]->share_volume(false);
   ElasticEnergy<2> without(grid.plan, grid.particles, grid.laws, grid.parallel, grid.work);
   const std::vector<Mat<2>> own = without.deformed(u);
@@ -93,7 +80,7 @@ TEST_CASE("F-bar: beside materials without it the energy is the sum of both, and
 }
 
 TEST_CASE("F-bar: an affine motion is untouched: F, energy and forces are those without it") {
-  for_all([](auto d, const LawInfo& law, const BasisInfo& basis) {
+  test::for_all([](auto d, const LawInfo& law, const BasisInfo& basis) {
     constexpr int D = d;
     Particles<D> particles = test::scattered<D>(200, dx, 0.7, 53);
     for (Mat<D>& F : particles.F) F = particles.F.front();
@@ -144,7 +131,7 @@ TEST_CASE("F-bar: a patch keeps its volume, and its particles change theirs alik
 }
 
 TEST_CASE("F-bar: forces at rest are the gradient at u = 0, sum to nothing and turn nothing") {
-  for_all([](auto d, const LawInfo& law, const BasisInfo& basis) {
+  test::for_all([](auto d, const LawInfo& law, const BasisInfo& basis) {
     constexpr int D = d;
     Shared<D> grid(test::scattered<D>(100, dx, 0.4, 59), law, basis.name);
     ElasticEnergy<D> energy = grid.energy();

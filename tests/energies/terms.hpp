@@ -8,6 +8,20 @@
 
 namespace pf::test {
 
+inline constexpr double stored_tangents = 0x1p-23;  ///< Newton's matrix is in single precision
+
+/// f(dimension, law, basis) for every law and basis in both dimensions.
+template <class F>
+void for_all(F&& f) {
+  for (const LawInfo& law : laws())
+    for (const BasisInfo& basis : bases()) {
+      CAPTURE(law.name);
+      CAPTURE(basis.name);
+      f(std::integral_constant<int, 2>{}, law, basis);
+      f(std::integral_constant<int, 3>{}, law, basis);
+    }
+}
+
 /// The lower triangle written out as a full symmetric matrix.
 template <int D>
 Eigen::MatrixXd dense(const BlockMatrix<D>& H) {
