@@ -18,7 +18,7 @@ struct NewtonIteration {
   double energy = 0;       ///< incremental potential E [J]
   double step_length = 0;  ///< accepted by the line search, 0 when none was taken
   int linear_iterations = 0;
-  bool projected = false;        ///< the tangent was projected to positive semi-definite
+  double projected = 0;  ///< share of the nodes whose part of the Hessian was made positive semi-definite, 0 to 1
   bool residual_search = false;  ///< energy differences were lost in rounding: searched on the gradient's norm
 };
 

@@ -147,7 +147,9 @@ void iterate(const AppContext& context, const Watched& w, const Phase& phase) {
   property("Step length \xce\xb1", quantity(before.newton.step_length, "", 3));
   if (before.newton.linear_iterations > 0)
     property("Linear iterations", std::to_string(before.newton.linear_iterations));
-  if (before.newton.projected) muted("The true H was indefinite: it was made positive definite.");
+  if (before.newton.projected > 0)
+    muted("The true H was indefinite: made positive definite at " + quantity(100 * before.newton.projected, "%", 2) +
+          " of the nodes.");
   property("Tolerance", quantity(w.player.scene().solver.newton_tolerance, "", 2));
   if (w.node) {
     bold(node_name(context, w.d));

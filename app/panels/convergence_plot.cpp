@@ -67,8 +67,9 @@ void iteration_table(AppContext& context, const StepReport& report) {
   for (std::size_t k = 0; k < report.newton.size(); ++k) {
     const NewtonIteration& it = report.newton[k];
     ImGui::TableNextColumn();
-    ImGui::TextDisabled("%zu%s", k, it.projected ? " +" : "");
-    if (it.projected) tooltip("The tangent was made positive definite for this iteration.");
+    ImGui::TextDisabled("%zu%s", k, it.projected > 0 ? " +" : "");
+    if (it.projected > 0)
+      tooltip("The tangent was made positive definite at " + quantity(100 * it.projected, "%", 2) + " of the nodes.");
     ImGui::TableNextColumn();
     text_unformatted(quantity(it.residual, "", 2));
     ImGui::TableNextColumn();
@@ -89,7 +90,7 @@ void mark_projected(Chart& chart, const StepReport& report) {
   marks.mark = MarkShape::cross;
   marks.color_index = 1;
   for (std::size_t k = 0; k < report.newton.size(); ++k) {
-    if (!report.newton[k].projected) continue;
+    if (!(report.newton[k].projected > 0)) continue;
     marks.x.push_back(static_cast<double>(k));
     marks.y.push_back(report.newton[k].residual);
   }

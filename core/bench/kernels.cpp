@@ -96,6 +96,14 @@ void Kernels<D>::elastic() {
     std::fill(blocks.begin(), blocks.end(), Mat<D>::Zero());
     potential.diagonal(blocks);
   });
+  StencilLayout<D> layout;
+  StencilMatrix<D> matrix;
+  std::vector<std::int32_t> row_of;
+  layout.build(body_.plan.node_indices(), K_ - 1, row_of);
+  add("whole matrix, by stencils", {weights + tangent, 0}, [&] {
+    matrix.shape(layout);
+    potential.assemble_stencil(matrix, row_of);
+  });
   preconditioners(potential, g);
   result_.bytes = static_cast<double>(body_.plan.bytes()) + static_cast<double>(body_.particles.size()) * (tangent) +
                   static_cast<double>(body_.particles.size()) * (3 * vector_bytes(D) + 2 * F + 16 + 8);
@@ -111,9 +119,14 @@ void Kernels<D>::preconditioners(IncrementalPotential<D>& potential, const Vecto
     const LinearProblem<D> problem{potential, body_.set, {}, g, 0.1, nullptr};
     preconditioner->new_step();
     Vector z(g.size());
-    const std::string name(solver.name);
-    add("preconditioner of " + name + ", prepared", {}, [&] { preconditioner->prepare(problem); });
-    add("preconditioner of " + name + ", applied", {}, [&] { preconditioner->apply(problem, g, z); });
+    const std::string name = "preconditioner of " + std::string(solver.name);
+    add(name + ", prepared", {}, [&] { preconditioner->prepare(problem); });
+    preconditioner->take_work();
+    preconditioner->apply(problem, g, z);
+    const SolverWork work = preconditioner->take_work();
+    const double flops = 2 * static_cast<double>(work.operations + work.stencil_operations);
+    add(name + ", applied", {0, flops / static_cast<double>(body_.particles.size())},
+        [&] { preconditioner->apply(problem, g, z); });
   }
 }
 

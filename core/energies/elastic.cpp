@@ -195,7 +195,7 @@ double ElasticEnergy<D>::gradient(const Vector& u, Vector& g, Vector& magnitude)
 }
 
 template <int D>
-void ElasticEnergy<D>::chunk_tangents(const Block<D>& block, const Chunk& chunk, bool project) {
+void ElasticEnergy<D>::chunk_tangents(const Block<D>& block, const Chunk& chunk, const Projected& project) {
   float* place[Chunk::most];
   for (int i = chunk.batch_begin; i < chunk.batch_end; ++i) {
     const Batch& batch = plan_.batches()[index(i)];
@@ -204,15 +204,25 @@ void ElasticEnergy<D>::chunk_tangents(const Block<D>& block, const Chunk& chunk,
     for (int lane = 0; lane < batch.count; ++lane)
       place[batch.first - chunk.begin + lane] = reinterpret_cast<float*>(to) + lane;
   }
-  for_each_material(plan_, block, chunk.begin, chunk.end, [&](std::uint16_t material, int first, std::size_t n) {
-    const int at = first - chunk.begin;
-    laws_[material]->grid_tangent({chunk.F + at, n}, {particles_.F.data() + first, n},
-                                  {particles_.volume0.data() + first, n}, project, {place + at, n}, W);
-  });
+  // Batches of cells that are projected, and of cells that are not, by turns.
+  for (int i = chunk.batch_begin, last = i; i < chunk.batch_end; i = last) {
+    const bool here = meets(plan_, block, plan_.batches()[index(i)], project);
+    if (project.mixed())
+      while (last < chunk.batch_end && meets(plan_, block, plan_.batches()[index(last)], project) == here) ++last;
+    else
+      last = chunk.batch_end;
+    const int begin = plan_.batches()[index(i)].first;
+    const int end = last < chunk.batch_end ? plan_.batches()[index(last)].first : chunk.end;
+    for_each_material(plan_, block, begin, end, [&](std::uint16_t material, int first, std::size_t n) {
+      const int at = first - chunk.begin;
+      laws_[material]->grid_tangent({chunk.F + at, n}, {particles_.F.data() + first, n},
+                                    {particles_.volume0.data() + first, n}, here, {place + at, n}, W);
+    });
+  }
 }
 
 template <int D>
-void ElasticEnergy<D>::prepare_hessian(const Vector& u, bool project) {
+void ElasticEnergy<D>::prepare_hessian(const Vector& u, const Projected& project) {
   tangent_ = memory_.tangents.take<Narrow<W>>(plan_.batches().size() * components);
   work_.tangent += particles_.size();
   if (barred()) return barred_tangents(u, project);

@@ -59,7 +59,7 @@ class ElasticEnergy final : public Energy<D> {
 
   double value(const Vector& u) override;
   double gradient(const Vector& u, Vector& g, Vector& magnitude) override;
-  void prepare_hessian(const Vector& u, bool project) override;
+  void prepare_hessian(const Vector& u, const Projected& project) override;
   void hessian_product(const Vector& p, Vector& Hp) override;
   void diagonal(std::vector<Mat<D>>& blocks) override;
   void assemble(BlockMatrix<D>& H) override;
@@ -93,7 +93,7 @@ class ElasticEnergy final : public Energy<D> {
   void chunk_stress(const Block<D>& block, const Mat<D>* F, Chunk& chunk) const;
   /// V_p^0 P_p F_p^nT, a lane a particle.
   void batch_flux(const Batch& batch, const Mat<D>* stress, Wide<W> (*flux)[D]) const;
-  void chunk_tangents(const Block<D>& block, const Chunk& chunk, bool project);
+  void chunk_tangents(const Block<D>& block, const Chunk& chunk, const Projected& project);
   double ordered_sum() const;
   double sum_force_at_rest(Vector& g);
 
@@ -101,7 +101,7 @@ class ElasticEnergy final : public Energy<D> {
   bool barred() const { return any_shares_volume(laws_); }
   double barred_value(const Vector& u);
   double barred_gradient(const Vector* u, Vector& g, Vector* magnitude);
-  void barred_tangents(const Vector& u, bool project);
+  void barred_tangents(const Vector& u, const Projected& project);
   void deform_block(const Block<D>& block, const Vector* u, BarredBlock<D>& state) const;
   void block_stress(const Block<D>& block, BarredBlock<D>& state) const;
   void block_flux(const Block<D>& block, BarredBlock<D>& state) const;

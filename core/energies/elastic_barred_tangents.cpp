@@ -190,7 +190,7 @@ void ElasticEnergy<D>::block_tangents(const Block<D>& block, int b, bool project
 }
 
 template <int D>
-void ElasticEnergy<D>::barred_tangents(const Vector& u, bool project) {
+void ElasticEnergy<D>::barred_tangents(const Vector& u, const Projected& project) {
   const std::vector<Block<D>>& blocks = plan_.blocks();
   memory_.patch_start.assign(blocks.size() + 1, 0);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
@@ -204,13 +204,17 @@ void ElasticEnergy<D>::barred_tangents(const Vector& u, bool project) {
   for_each_block(plan_, parallel_, [&](const Block<D>& block, int b) {
     BarredBlock<D> state;
     deform_block(block, &u, state);
-    block_tangents(block, b, project, state);
+    // Blocks are projected as a whole: some cells more than asked for.
+    bool here = false;
+    for (int i = block.batch_begin; i < block.batch_end && !here; ++i)
+      here = meets(plan_, block, plan_.batches()[index(i)], project);
+    block_tangents(block, b, here, state);
   });
 }
 
 // NOLINTBEGIN(bugprone-macro-parentheses): D is a template argument.
 #define PF_INSTANTIATE(D)                                                                                            \
-  template void ElasticEnergy<D>::barred_tangents(const Vector&, bool);                                              \
+  template void ElasticEnergy<D>::barred_tangents(const Vector&, const Projected&);                                  \
   template void ElasticEnergy<D>::block_tangents(const Block<D>&, int, bool, BarredBlock<D>&);                       \
   template void ElasticEnergy<D>::single_tangents(const Block<D>&, bool, const BarredBlock<D>&,                      \
                                                   const std::vector<float*>&) const;                                 \

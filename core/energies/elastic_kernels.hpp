@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/grid/stencil.hpp"
+#include "core/math/projected.hpp"
 
 namespace pf {
 
@@ -41,6 +42,17 @@ void for_each_material(const Plan<D>& plan, const Block<D>& block, int begin, in
     const int first = std::max(begin, run.begin), last = std::min(end, run.end);
     if (first < last) body(run.material, first, index(last - first));
   }
+}
+
+/// Whether `project` marks a node of the cell of a batch.
+template <int D>
+bool meets(const Plan<D>& plan, const Block<D>& block, const Batch& batch, const Projected& project) {
+  const int K = plan.nodes_per_axis(), edge = block_edge + K - 1;
+  const std::int32_t* const first = plan.node_table(block) + batch.node;
+  for (int z = 0; z < (D == 3 ? K : 1); ++z)
+    for (int y = 0; y < K; ++y)
+      if (project.at(std::span(first + edge * (y + edge * z), index(K)))) return true;
+  return false;
 }
 
 /// Adds s_i = |flux grad N_i| of a batch (THEORY T4) to the cell's nodes. Sizes are not linear, so there is no

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/math/block_matrix.hpp"
+#include "core/math/projected.hpp"
 #include "core/math/stencil_matrix.hpp"
 #include "core/types.hpp"
 
@@ -19,8 +20,8 @@ class Energy {
   /// E(u), and g += dE/du. `magnitude`, one entry a node, += the sum of the sizes of what was added up in g (THEORY T4,
   /// s_i): zero for terms whose scale is known elsewhere.
   virtual double gradient(const Vector& u, Vector& g, Vector& magnitude) = 0;
-  /// Fixes d2E/du2 at u for the calls below; with `project`, a positive semi-definite substitute.
-  virtual void prepare_hessian(const Vector& u, bool project) = 0;
+  /// Fixes d2E/du2 at u for the calls below, its parts where `project` says so positive semi-definite.
+  virtual void prepare_hessian(const Vector& u, const Projected& project) = 0;
   /// Hp += d2E/du2 p.
   virtual void hessian_product(const Vector& p, Vector& Hp) = 0;
   /// The D x D diagonal blocks, one a node, are added to `blocks`.

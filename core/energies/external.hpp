@@ -15,7 +15,7 @@ class ExternalWork final : public Energy<D> {
     g -= force_;
     return value(u);
   }
-  void prepare_hessian(const Vector&, bool) override {}
+  void prepare_hessian(const Vector&, const Projected&) override {}
   void hessian_product(const Vector&, Vector&) override {}
   void diagonal(std::vector<Mat<D>>&) override {}
   void assemble(BlockMatrix<D>&) override {}

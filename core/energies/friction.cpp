@@ -34,7 +34,7 @@ double Friction<D>::gradient(const Vector& u, Vector& g, Vector& magnitude) {
 }
 
 template <int D>
-void Friction<D>::prepare_hessian(const Vector& u, bool) {
+void Friction<D>::prepare_hessian(const Vector& u, const Projected&) {
   // b (T - t t^T/|t|^2)/|t|, T the tangential projector: positive semi-definite, and zero in 2D.
   block_.clear();
   if constexpr (D == 2) return;

@@ -22,7 +22,7 @@ class GrabSpring final : public Energy<D> {
 
   double value(const Vector& u) override;
   double gradient(const Vector& u, Vector& g, Vector& magnitude) override;
-  void prepare_hessian(const Vector&, bool) override {}
+  void prepare_hessian(const Vector&, const Projected&) override {}
   void hessian_product(const Vector& p, Vector& Hp) override;
   void diagonal(std::vector<Mat<D>>& blocks) override;
   /// The spring couples all held nodes; only the couplings in H's pattern are kept (a preconditioner's choice), the

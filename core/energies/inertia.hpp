@@ -29,7 +29,7 @@ class Inertia final : public Energy<D> {
 
   double value(const Vector& u) override;
   double gradient(const Vector& u, Vector& g, Vector& magnitude) override;
-  void prepare_hessian(const Vector&, bool) override {}
+  void prepare_hessian(const Vector&, const Projected&) override {}
   void hessian_product(const Vector& p, Vector& Hp) override;
   void diagonal(std::vector<Mat<D>>& blocks) override;
   void assemble(BlockMatrix<D>& H) override;

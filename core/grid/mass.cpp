@@ -25,8 +25,14 @@ Wide<lane_count<D>> masses(const Particles<D>& particles, const Batch& batch) {
 
 template <int D>
 MassMatrix<D>::MassMatrix(const Plan<D>& plan, const Particles<D>& particles, const Vector& lumped, bool consistent,
-                          Parallel& parallel, Work& work)
-    : plan_(plan), particles_(particles), lumped_(lumped), consistent_(consistent), parallel_(parallel), work_(work) {
+                          Parallel& parallel, Work& work, MassVectors* vectors)
+    : plan_(plan),
+      particles_(particles),
+      lumped_(lumped),
+      consistent_(consistent),
+      parallel_(parallel),
+      work_(work),
+      vectors_(vectors ? *vectors : own_) {
   if (!consistent_) return;
   if (particles.size() < static_cast<std::size_t>(plan.node_count())) blend_ = singular_blend;
   compute_diagonal();
@@ -34,7 +40,8 @@ MassMatrix<D>::MassMatrix(const Plan<D>& plan, const Particles<D>& particles, co
 
 template <int D>
 void MassMatrix<D>::compute_diagonal() {
-  diagonal_ = Vector::Zero(plan_.node_count());
+  Vector& diagonal = vectors_.diagonal;
+  diagonal.setZero(plan_.node_count());
   with_nodes_per_axis(plan_, [&](auto k) {
     constexpr int K = k;
     using S = Stencil<D, K, 1, decltype(k)::dense>;
@@ -49,10 +56,10 @@ void MassMatrix<D>::compute_diagonal() {
         const Wide<lane_count<D>> m = masses(particles_, batch);
         S::template scatter<true, false>(&m, nullptr, squares, squares, local + batch.node);
       }
-      add_block<D, K, 1>(plan_, block, local, diagonal_.data());
+      add_block<D, K, 1>(plan_, block, local, diagonal.data());
     });
   });
-  diagonal_ = (1 - blend_) * diagonal_ + blend_ * lumped_;
+  diagonal = (1 - blend_) * diagonal + blend_ * lumped_;
 }
 
 template <int D>
@@ -99,17 +106,18 @@ template <int D>
 int MassMatrix<D>::solve(const Vector& b, Vector& v, double& residual) const {
   constexpr double tolerance = 1e-13;
   constexpr int most = 1000;
-  Vector scale(b.size());
+  auto& [unused, scale, r, Mp, z, p] = vectors_;
+  scale.resize(b.size());
   const double smallest = 1e-14 * diagonal().maxCoeff();
   for (Eigen::Index i = 0; i < diagonal().size(); ++i)
     scale.segment<D>(i * D).setConstant(diagonal()[i] > smallest ? 1 / diagonal()[i] : 0);
-  Vector r, Mp, z, p;
+  z = scale.cwiseProduct(b);
+  const double start = std::max(std::sqrt(dot(b, z)), 1e-300);
   multiply(v, r);
   r = b - r;
   z = scale.cwiseProduct(r);
   p = z;
   double rz = dot(r, z);
-  const double start = std::max(std::sqrt(dot(b, scale.cwiseProduct(b))), 1e-300);
   int iteration = 0;
   for (; iteration < most && std::sqrt(rz) > tolerance * start; ++iteration) {
     multiply(p, Mp);

@@ -11,12 +11,18 @@ namespace pf {
 /// Part of the lumped matrix that a singular consistent one is blended with; measured in docs/mass-matrix.md.
 inline constexpr double singular_blend = 0.05;
 
+/// What a MassMatrix computes with; kept between steps for its memory alone.
+struct MassVectors {
+  Vector diagonal, scale, r, Mp, z, p;
+};
+
 template <int D>
 class MassMatrix {
  public:
-  /// `lumped`: m_i, one a node. All are referred to.
+  /// `lumped`: m_i, one a node. All are referred to, and `vectors` where it is given.
   MassMatrix(const Plan<D>& plan, const Particles<D>& particles, const Vector& lumped, bool consistent,
-             Parallel& parallel, Work& work);
+             Parallel& parallel, Work& work, MassVectors* vectors = nullptr);
+  MassMatrix(const MassMatrix&) = delete;
 
   bool consistent() const { return consistent_; }
   /// b of (1 - b) M + b lumped: 0 unless M is consistent and singular. M is a sum of one rank-one matrix a particle, so
@@ -24,7 +30,7 @@ class MassMatrix {
   double blend() const { return blend_; }
   const Vector& lumped() const { return lumped_; }
   /// The diagonal, one entry a node: m_i or M_ii.
-  const Vector& diagonal() const { return consistent_ ? diagonal_ : lumped_; }
+  const Vector& diagonal() const { return consistent_ ? vectors_.diagonal : lumped_; }
   /// out = M v, D components a node.
   void multiply(const Vector& v, Vector& out) const;
   /// M v = b by conjugate gradients scaled by the diagonal, from v = v0. M may be nearly singular (slivers at the
@@ -45,7 +51,8 @@ class MassMatrix {
   double blend_ = 0;
   Parallel& parallel_;
   Work& work_;
-  Vector diagonal_;
+  MassVectors own_;
+  MassVectors& vectors_;
 };
 
 extern template class MassMatrix<2>;

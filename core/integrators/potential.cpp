@@ -60,7 +60,7 @@ double IncrementalPotential<D>::gradient(const Vector& u, Vector& g) {
 }
 
 template <int D>
-void IncrementalPotential<D>::prepare_hessian(const Vector& u, bool project) {
+void IncrementalPotential<D>::prepare_hessian(const Vector& u, const Projected& project) {
   for (Energy<D>* term : terms()) term->prepare_hessian(u, project);
 }
 

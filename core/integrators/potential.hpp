@@ -33,7 +33,7 @@ class IncrementalPotential final : public Objective<D> {
 
   double value(const Vector& u) override;
   double gradient(const Vector& u, Vector& g) override;
-  void prepare_hessian(const Vector& u, bool project) override;
+  void prepare_hessian(const Vector& u, const Projected& project) override;
   void hessian_product(const Vector& p, Vector& Hp) override;
   void diagonal(std::vector<Mat<D>>& blocks) override;
   void assemble(BlockMatrix<D>& H) override;

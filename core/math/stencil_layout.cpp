@@ -37,40 +37,35 @@ void StencilLayout<D>::build(const std::vector<std::array<long long, D>>& index,
     }
   for (std::size_t a = 0; a < D; ++a) high[a] -= low[a];
   axes_ = order_axes<D>(high);
-  struct Entry {
-    std::uint64_t line;
-    std::int32_t first;
-    std::int32_t node;
-  };
-  std::vector<Entry> entries(index.size());
+  entries_.resize(index.size());
   for (std::size_t i = 0; i < index.size(); ++i) {
     LatticePoint<D> p;
     for (std::size_t k = 0; k < D; ++k) {
       const auto a = static_cast<std::size_t>(axes_[k]);
       p[k] = static_cast<std::int32_t>(index[i][a] - low[a]);
     }
-    entries[i] = {line_key(p), p[0], static_cast<std::int32_t>(i)};
+    entries_[i] = {line_key(p), p[0], static_cast<std::int32_t>(i)};
   }
-  std::sort(entries.begin(), entries.end(),
+  std::sort(entries_.begin(), entries_.end(),
             [](const Entry& a, const Entry& b) { return a.line != b.line ? a.line < b.line : a.first < b.first; });
-  std::vector<LatticeRun> pieces;
-  for (const Entry& e : entries) {
-    if (!pieces.empty() && pieces.back().line == e.line && pieces.back().end == e.first)
-      ++pieces.back().end;
+  pieces_.clear();
+  for (const Entry& e : entries_) {
+    if (!pieces_.empty() && pieces_.back().line == e.line && pieces_.back().end == e.first)
+      ++pieces_.back().end;
     else
-      pieces.push_back({e.line, e.first, e.first + 1});
+      pieces_.push_back({e.line, e.first, e.first + 1});
   }
-  build(std::move(pieces), reach);
+  build(pieces_, reach);
   row_of.resize(index.size());
   std::size_t r = 0;
-  for (const Entry& e : entries) {
+  for (const Entry& e : entries_) {
     while (runs_[r].line != e.line || runs_[r].end <= e.first) ++r;
     row_of[static_cast<std::size_t>(e.node)] = runs_[r].row + (e.first - runs_[r].begin);
   }
 }
 
 template <int D>
-void StencilLayout<D>::build(std::vector<LatticeRun> pieces, int reach) {
+void StencilLayout<D>::build(std::vector<LatticeRun>& pieces, int reach) {
   reach_ = reach;
   lines_ = D == 2 ? reach + 1 : reach * (2 * reach + 1) + reach + 1;
   std::sort(pieces.begin(), pieces.end(), [](const LatticeRun& a, const LatticeRun& b) {
@@ -145,7 +140,7 @@ std::int32_t StencilLayout<D>::window(const LatticePoint<D>& first, int width, s
 template <int D>
 void StencilLayout<D>::make_windows() {
   windows_.resize(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(lines_));
-  std::vector<std::size_t> hint(static_cast<std::size_t>(lines_), 0);
+  std::array<std::size_t, 32> hint{};  // a line each, at most 25 in 3D
   for (const LatticeRun& run : runs_)
     for (std::int32_t x = run.begin; x < run.end; ++x) {
       std::int32_t* out =

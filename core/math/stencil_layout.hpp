@@ -30,7 +30,8 @@ class StencilLayout {
   /// axis becomes the slowest. `row_of` receives each point's row.
   void build(const std::vector<std::array<long long, D>>& index, int reach, std::vector<std::int32_t>& row_of);
   /// From lines' pieces, in any order, overlapping or not; `line` and `begin`, `end` set.
-  void build(std::vector<LatticeRun> pieces, int reach);
+  /// They are sorted and left to the caller, for their memory.
+  void build(std::vector<LatticeRun>& pieces, int reach);
 
   int reach() const { return reach_; }
   int rows() const { return rows_; }
@@ -77,11 +78,18 @@ class StencilLayout {
   void make_chunks();
   void make_windows();
 
+  struct Entry {  // a point and where it came from
+    std::uint64_t line;
+    std::int32_t first, node;
+  };
+
   int reach_ = 0, rows_ = 0, slots_ = 0, lines_ = 0;
   std::array<int, D> axes_{};
   std::vector<LatticeRun> runs_;
   std::vector<std::int32_t> slot_, row_of_slot_, windows_;
   std::vector<Chunk> chunks_;
+  std::vector<Entry> entries_;      ///< of build() alone, as are
+  std::vector<LatticeRun> pieces_;  ///< these
 };
 
 extern template class StencilLayout<2>;

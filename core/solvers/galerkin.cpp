@@ -31,9 +31,9 @@ void for_rows(const StencilLayout<D>& layout, Parallel& parallel, Body&& body) {
 
 /// The coarse lattice: every point that a point of this one has a part in.
 template <int D, int R>
-std::vector<LatticeRun> coarse_pieces(const StencilLayout<D>& fine) {
+void coarse_pieces(const StencilLayout<D>& fine, std::vector<LatticeRun>& pieces) {
   constexpr int P = TwoScale<R>::parents;
-  std::vector<LatticeRun> pieces;
+  pieces.clear();
   for (const LatticeRun& run : fine.runs()) {
     const LatticePoint<D> at = StencilLayout<D>::point(run.line, run.begin);
     std::int32_t last = first_parent<R>(run.end - 1) + P - 1;
@@ -49,7 +49,6 @@ std::vector<LatticeRun> coarse_pieces(const StencilLayout<D>& fine) {
       if (any) pieces.push_back({StencilLayout<D>::line_key(parent), parent[0], last + 1});
     }
   }
-  return pieces;
 }
 
 /// For each row of `from` the slots in `to` of the lines that begin at first(axis coordinate), `count` of them an axis.
@@ -58,7 +57,7 @@ void connect_lines(const StencilLayout<D>& from, const StencilLayout<D>& to, int
                    std::vector<std::int32_t>& slots) {
   const int lines = power(count, D - 1);
   slots.resize(static_cast<std::size_t>(from.rows()) * static_cast<std::size_t>(lines));
-  std::vector<std::size_t> hint(static_cast<std::size_t>(lines), 0);
+  std::array<std::size_t, 32> hint{};  // a line each, at most 25 in 3D
   for (const LatticeRun& run : from.runs())
     for (std::int32_t x = run.begin; x < run.end; ++x) {
       const LatticePoint<D> at = StencilLayout<D>::point(run.line, x);
@@ -221,7 +220,8 @@ void MultigridLevel<D>::connect(MultigridLevel& coarse) {
   with_reach(layout.reach(), [&](auto r) {
     constexpr int R = r;
     coarse.layout.set_axes(layout.axes());
-    coarse.layout.build(coarse_pieces<D, R>(layout), R);
+    coarse_pieces<D, R>(layout, pieces_);
+    coarse.layout.build(pieces_, R);
     coarse.resize();
     connect_lines(
         layout, coarse.layout, TwoScale<R>::parents, [](int i) { return first_parent<R>(i); }, parents_);
@@ -232,20 +232,20 @@ void MultigridLevel<D>::connect(MultigridLevel& coarse) {
 }
 
 template <int D>
-void MultigridLevel<D>::coarsen(MultigridLevel& coarse, Parallel& parallel) const {
+void MultigridLevel<D>::coarsen(MultigridLevel& coarse, Parallel& parallel) {
   with_reach(layout.reach(), [&](auto r) {
     constexpr int R = r, lines = power(TwoScale<R>::children, D - 1);
     constexpr int upper_size = UpperLines<D, R>::lines * D * window_width<D, R>;
     coarse.A.shape(coarse.layout);
-    Floats upper(static_cast<std::size_t>(coarse.layout.rows()) * upper_size);
+    upper_.resize(static_cast<std::size_t>(coarse.layout.rows()) * upper_size);
     for_rows(coarse.layout, parallel, [&](int row, const LatticePoint<D>&) {
       CoarseRow<D, R> sums;
       sums.compute(A, children_.data() + static_cast<Index>(row) * lines);
       split_row<D, R>(sums, coarse.A.row(row), coarse.A.diagonal_block(row),
-                      upper.data() + static_cast<Index>(row) * upper_size);
+                      upper_.data() + static_cast<Index>(row) * upper_size);
     });
     for_rows(coarse.layout, parallel,
-             [&](int row, const LatticePoint<D>&) { add_transposes<D, R>(coarse.A, row, upper); });
+             [&](int row, const LatticePoint<D>&) { add_transposes<D, R>(coarse.A, row, upper_); });
   });
 }
 
@@ -305,8 +305,8 @@ void MultigridLevel<D>::prolong_from(const MultigridLevel& coarse, Parallel& par
 
 template void MultigridLevel<2>::connect(MultigridLevel&);
 template void MultigridLevel<3>::connect(MultigridLevel&);
-template void MultigridLevel<2>::coarsen(MultigridLevel&, Parallel&) const;
-template void MultigridLevel<3>::coarsen(MultigridLevel&, Parallel&) const;
+template void MultigridLevel<2>::coarsen(MultigridLevel&, Parallel&);
+template void MultigridLevel<3>::coarsen(MultigridLevel&, Parallel&);
 template std::uint64_t MultigridLevel<2>::coarsening_operations() const;
 template std::uint64_t MultigridLevel<3>::coarsening_operations() const;
 template void MultigridLevel<2>::restrict_to(MultigridLevel&, Parallel&) const;

@@ -17,8 +17,12 @@ class Restriction {
  public:
   using Block = Eigen::Matrix<float, D, D>;
 
-  Restriction(const LinearProblem<D>& problem, const std::vector<std::int32_t>& row_of, StencilMatrix<D>& A)
-      : A_(A), at_(static_cast<std::size_t>(A.layout->rows()), -1) {
+  /// `held` is referred to.
+  Restriction(const LinearProblem<D>& problem, const std::vector<std::int32_t>& row_of, StencilMatrix<D>& A,
+              HeldRows<D>& held)
+      : A_(A), at_(held.at), Q_(held.Q) {
+    at_.assign(static_cast<std::size_t>(A.layout->rows()), -1);
+    Q_.clear();
     for (std::size_t i = 0; i < problem.directions.size(); ++i) {
       if (problem.directions[i].isIdentity(0)) continue;
       const auto node = static_cast<std::size_t>(problem.set.constrained[i].node);
@@ -55,8 +59,8 @@ class Restriction {
 
  private:
   StencilMatrix<D>& A_;
-  std::vector<std::int32_t> at_;  ///< into Q_, a row; -1 where it is free
-  std::vector<Block> Q_;
+  std::vector<std::int32_t>& at_;
+  std::vector<Block>& Q_;
 };
 
 }  // namespace
@@ -82,7 +86,7 @@ void Multigrid<D>::lay_out(const LinearProblem<D>& problem) {
 template <int D>
 void Multigrid<D>::constrain(const LinearProblem<D>& problem) {
   MultigridLevel<D>& finest = *levels_.front();
-  Restriction<D> restriction(problem, row_of_, finest.A);
+  Restriction<D> restriction(problem, row_of_, finest.A, held_);
   if (restriction.empty()) return;
   for_pieces(parallel_, finest.layout.rows(), [&](std::ptrdiff_t begin, std::ptrdiff_t count) {
     for (std::ptrdiff_t i = begin; i < begin + count; ++i) restriction.apply(static_cast<int>(i));
@@ -96,7 +100,8 @@ void Multigrid<D>::factorize() {
   factorized_ = false;
   if (layout.rows() > 4 * most_rows_of_coarsest) return;
   const int side = 2 * layout.reach() + 1;
-  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(layout.rows() * D, layout.rows() * D);
+  Eigen::MatrixXd& dense = dense_;
+  dense.setZero(layout.rows() * D, layout.rows() * D);
   for (int i = 0; i < layout.rows(); ++i) {
     for (int a = 0; a < D; ++a)
       for (int c = 0; c < D; ++c) dense(i * D + a, i * D + c) = level.A.diagonal_block(i)[a + D * c];

@@ -11,6 +11,13 @@
 
 namespace pf {
 
+/// Rows of nodes that are not free, and what of their directions is.
+template <int D>
+struct HeldRows {
+  std::vector<std::int32_t> at;  ///< into Q, a row; -1 where it is free
+  std::vector<Eigen::Matrix<float, D, D>> Q;
+};
+
 template <int D>
 class Multigrid final : public Preconditioner<D> {
  public:
@@ -35,6 +42,8 @@ class Multigrid final : public Preconditioner<D> {
   std::size_t count_ = 0;                                   ///< levels in use
   std::vector<std::unique_ptr<MultigridLevel<D>>> levels_;  ///< [0] the finest
   std::vector<std::int32_t> row_of_;                        ///< a node
+  HeldRows<D> held_;
+  Eigen::MatrixXd dense_;  ///< the coarsest level's
   Eigen::LLT<Eigen::MatrixXd> coarsest_;
   Vector solution_;
 };

@@ -37,7 +37,7 @@ class MultigridLevel {
   /// Lays out `coarse` and how the two levels are connected.
   void connect(MultigridLevel& coarse);
   /// coarse.A = P^T A P.
-  void coarsen(MultigridLevel& coarse, Parallel& parallel) const;
+  void coarsen(MultigridLevel& coarse, Parallel& parallel);
   /// Multiply-adds of that, as if all rows were inner ones.
   std::uint64_t coarsening_operations() const;
   /// coarse.b = P^T (b - A x), after smooth_from_zero().
@@ -49,6 +49,9 @@ class MultigridLevel {
   Floats rest_;                         ///< what the rows of a sweep leave in other rows
   std::vector<std::int32_t> parents_;   ///< a row: slots in the coarse layout, a line of the parents each
   std::vector<std::int32_t> children_;  ///< a coarse row: slots in this layout, a line of the children each
+  // Of coarsen() and connect() alone.
+  Floats upper_;
+  std::vector<LatticeRun> pieces_;
 };
 
 extern template class MultigridLevel<2>;

@@ -32,6 +32,9 @@ class Minimiser {
   bool one_sided() const;
   void measure_stiffness();
   double forcing() const;
+  Projected projected() const;
+  double projected_share() const;
+  void project_more(int round);
   LinearResult solve_for_direction(NewtonIteration& record);
   LinearResult meet_faces(NewtonIteration& record);
   void take_diagonal_step();
@@ -60,7 +63,9 @@ class Minimiser {
   bool have_tau_ = false;
   bool unsettled_ = false;  ///< the last step met faces that were not active
   double E_ = 0, residual_ = 0, norm_ = 0, previous_norm_ = 0;
-  bool project_ = false;
+  enum class Where { nowhere, marked, everywhere };
+  Where project_ = Where::nowhere;
+  std::vector<char>& marked_ = vectors_.marked;
   double norm_when_projected_ = 0;
   NewtonResult result_;
 };
@@ -117,22 +122,50 @@ double Minimiser<D>::forcing() const {
 }
 
 template <int D>
+Projected Minimiser<D>::projected() const {
+  if (project_ == Where::marked) return Projected(marked_);
+  return project_ == Where::everywhere;
+}
+
+template <int D>
+double Minimiser<D>::projected_share() const {
+  if (project_ != Where::marked) return project_ == Where::everywhere ? 1 : 0;
+  return static_cast<double>(std::count(marked_.begin(), marked_.end(), 1)) / static_cast<double>(marked_.size());
+}
+
+/// The nodes with the largest residuals first: what is far from its balance is where the Hessian is indefinite
+/// (Fernandez-Fernandez et al. 2025). Each round asks for a tenth of the size.
+template <int D>
+void Minimiser<D>::project_more(int round) {
+  constexpr int most_rounds = 2;
+  norm_when_projected_ = norm_;
+  const Eigen::Index nodes = free_g_.size() / D;
+  if (project_ == Where::nowhere) marked_.assign(static_cast<std::size_t>(nodes), 0);
+  project_ = round > most_rounds ? Where::everywhere : Where::marked;
+  if (project_ == Where::everywhere) return;
+  const auto size = [&](Eigen::Index i) { return free_g_.template segment<D>(i * D).squaredNorm(); };
+  double largest = 0;
+  for (Eigen::Index i = 0; i < nodes; ++i) largest = std::max(largest, size(i));
+  for (Eigen::Index i = 0; i < nodes; ++i)
+    if (size(i) >= std::pow(0.01, round) * largest) marked_[static_cast<std::size_t>(i)] = 1;
+}
+
+template <int D>
 LinearResult Minimiser<D>::solve_for_direction(NewtonIteration& record) {
-  if (project_ && norm_ < 1e-2 * norm_when_projected_) project_ = false;
-  for (;;) {
-    objective_.prepare_hessian(u_, project_);
+  if (norm_ < 1e-2 * norm_when_projected_) project_ = Where::nowhere;
+  for (int round = 1;; ++round) {
+    objective_.prepare_hessian(u_, projected());
     if (!have_tau_ && one_sided()) measure_stiffness();
     const LinearProblem<D> problem{objective_, set_, active_.directions, free_g_, forcing(), cancel_};
     LinearResult solved = linear_.solve(problem, d_);
     record.linear_iterations += solved.iterations;
-    record.projected = project_;
+    record.projected = projected_share();
     result_.linear_iterations += solved.iterations;
     unsettled_ = !solved.cancelled && !solved.negative_curvature && set_.crosses(u_, g_, d_, active_);
     if (unsettled_) solved = meet_faces(record);
-    if (solved.cancelled || !solved.negative_curvature || project_) return solved;
-    project_ = true;
-    norm_when_projected_ = norm_;
+    if (solved.cancelled || !solved.negative_curvature || project_ == Where::everywhere) return solved;
     reduce();
+    project_more(round);
   }
 }
 
@@ -281,9 +314,9 @@ NewtonResult Minimiser<D>::run() {
     if (solved.negative_curvature) d_ = -free_g_;  // only rounding makes a projected Hessian indefinite
     previous_norm_ = norm_;
     bool moved = search(record);
-    if (!moved && !project_) {
+    if (!moved && project_ != Where::everywhere) {
       // A true Hessian can point uphill far from the minimum: once more with the projected one.
-      project_ = true;
+      project_ = Where::everywhere;
       norm_when_projected_ = norm_;
       reduce();  // the refused step may have left its own active set
       const LinearResult again = solve_for_direction(record);

@@ -29,13 +29,16 @@ struct NewtonVectors {
   Vector start, start_g;
   ActiveSet<D> active, start_active;
   std::vector<Mat<D>> blocks;
+  std::vector<char> marked;
 };
 
-/// The true Hessian is tried first; where it is not positive definite along the way, it is projected for that iteration
-/// and, since a neighbourhood of indefinite points is seldom left at once, for the rest of the solve until the residual
-/// has fallen by two orders. The step is searched along the projected path P(u + alpha d), E never rises; where
-/// differences of E are lost in rounding the gradient's norm decides instead. On failure u is the best iterate so far.
-/// `vectors`, where they are given, lend their memory; `observer`, where there is one, looks on.
+/// The true Hessian is tried first; where it is not positive definite along the way, it is projected at the nodes with
+/// the largest residuals, then at more, then everywhere (Fernandez-Fernandez et al. 2025, Progressively Projected
+/// Newton's Method, arXiv 2505.21013); since a neighbourhood of indefinite points is seldom left at once, it stays so
+/// for the rest of the solve until the residual has fallen by two orders. The step is searched along the projected path
+/// P(u + alpha d), E never rises; where differences of E are lost in rounding the gradient's norm decides instead. On
+/// failure u is the best iterate so far. `vectors`, where they are given, lend their memory; `observer`, where there is
+/// one, looks on.
 template <int D>
 NewtonResult minimise(Objective<D>& objective, const FeasibleSet<D>& set, LinearSolver<D>& linear,
                       const NewtonSettings& settings, const std::atomic<bool>* cancel, Vector& u,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/math/block_matrix.hpp"
+#include "core/math/projected.hpp"
 #include "core/math/stencil_matrix.hpp"
 #include "core/types.hpp"
 
@@ -25,8 +26,9 @@ class Objective {
   virtual double value(const Vector& u) = 0;
   /// E(u) and g = dE/du.
   virtual double gradient(const Vector& u, Vector& g) = 0;
-  /// Fixes the Hessian at u, the point of the newest gradient(); `project`: a positive semi-definite substitute.
-  virtual void prepare_hessian(const Vector& u, bool project) = 0;
+  /// Fixes the Hessian at u, the point of the newest gradient(); its parts where `project` says so are positive
+  /// semi-definite, and with them all, it is.
+  virtual void prepare_hessian(const Vector& u, const Projected& project) = 0;
   virtual void hessian_product(const Vector& p, Vector& Hp) = 0;
   virtual void diagonal(std::vector<Mat<D>>& blocks) = 0;
   /// H, lower triangle; the pattern stays the same during a step.

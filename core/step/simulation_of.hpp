@@ -161,6 +161,7 @@ class SimulationOf final : public Simulation {
   FeasibleSet<D> set_;
   Vector momentum_before_, momentum_after_;
   std::vector<RubbingNode<D>> rubbing_;  ///< of the last accepted step, by ascending index
+  MassVectors mass_memory_, velocity_mass_memory_;
   ElasticMemory elastic_memory_;         ///< tangents while a step is solved for, then what `moved_` points to
   Particles<D> other_;                   ///< the same where steps are explicit
   Motion<D> moved_{};

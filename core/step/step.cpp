@@ -112,7 +112,7 @@ void SimulationOf<D>::sharpen(const Vector& momentum, Vector& rate, StepReport& 
   const bool consistent =
       scene_.transfer.velocity_mass == "consistent" && find_integrator(scene_.integrator.type)->inertia;
   if (transfer_->order() < 2 && !consistent) return;
-  const MassMatrix<D> M(plan_, particles_, grid_.mass, true, parallel_, work_);
+  const MassMatrix<D> M(plan_, particles_, grid_.mass, true, parallel_, work_, &velocity_mass_memory_);
   tell_of_blend(M, report);
   if (!consistent) return sharpen_velocity(M, transfer_->order(), rate);
   double residual = 0;
@@ -210,7 +210,8 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
     if (const std::string loose = free_rigid_motion(plan_, set); !loose.empty()) return {Attempt::refused, loose};
   Stages stages(*this, dt);
   if (!grid_.v.allFinite()) stages.unfit = time_;
-  const MassMatrix<D> M(plan_, particles_, grid_.mass, scene_.integrator.mass == "consistent", parallel_, work_);
+  const MassMatrix<D> M(plan_, particles_, grid_.mass, scene_.integrator.mass == "consistent", parallel_, work_,
+                        &mass_memory_);
   if (M.consistent()) tell_of_blend(M, report);
   ElasticEnergy<D> elastic(plan_, particles_, laws_, parallel_, work_, &elastic_memory_);
   std::optional<GrabSpring<D>> spring;

@@ -92,7 +92,8 @@ TEST_CASE("an explicit step allocates nothing") {
 
 TEST_CASE("an implicit step allocates the list of its Newton iterations, in contact and with a chosen solver too") {
   for (const int dimension : {2, 3})
-    for (const auto& [contact, solver] : {std::pair(false, "pcg_jacobi"), {true, "pcg_jacobi"}, {false, "auto"}}) {
+    for (const auto& [contact, solver] :
+         {std::pair(false, "pcg_jacobi"), {true, "pcg_jacobi"}, {false, "auto"}, {false, "pcg_multigrid"}}) {
       CAPTURE(dimension);
       CAPTURE(contact);
       CAPTURE(solver);
@@ -103,6 +104,17 @@ TEST_CASE("an implicit step allocates the list of its Newton iterations, in cont
       CHECK(in_a_steady_step(*simulation, 10) <= 1);
       if (contact) CHECK(simulation->report().linear_iterations > 0);
     }
+}
+
+TEST_CASE("a consistent mass allocates no more than a lumped one") {
+  for (const int dimension : {2, 3}) {
+    CAPTURE(dimension);
+    test::Json scene = resting(dimension, "backward_euler", "pcg_jacobi");
+    scene["gravity"] = dimension == 2 ? test::Json{0, -9.81} : test::Json{0, -9.81, 0};
+    scene["integrator"]["mass"] = "consistent";
+    scene["transfer"] = {{"type", "flip"}, {"velocity_mass", "consistent"}};
+    CHECK(in_a_steady_step(*test::start(scene), 10) <= 1);
+  }
 }
 
 #endif

@@ -55,6 +55,47 @@ TEST_CASE("elastic energy: product, assembled matrix and diagonal are one Hessia
   });
 }
 
+TEST_CASE("elastic energy: only what meets a marked node is projected") {
+  int indefinite = 0;
+  test::for_all([&](auto d, const LawInfo& law, const BasisInfo& basis) {
+    constexpr int D = d;
+    Grid<D> grid(test::scattered<D>(60, dx, D == 2 ? 0.8 : 0.6, 43), basis.name, dx);
+    with_law(grid, law);
+    for (Mat<D>& F : grid.particles.F) F *= 0.7;
+    ElasticEnergy<D> energy(grid.plan, grid.particles, grid.laws, grid.parallel, grid.work);
+    const Vector u = strained(grid, 3);
+    const auto hessian = [&](const Projected& project) {
+      const FeasibleSet<D> free;
+      IncrementalPotential<D> potential(grid.plan, grid.state.mass, free, {&energy}, {});
+      potential.prepare_hessian(u, project);
+      BlockMatrix<D> H;
+      potential.assemble(H);
+      return test::dense(H);
+    };
+    const Eigen::MatrixXd plain = hessian(false), all = hessian(true);
+    const int count = grid.plan.node_count();
+    Eigen::Index row = 0, column = 0;
+    (all - plain).cwiseAbs().maxCoeff(&row, &column);
+    const int marked = static_cast<int>(row) / D;
+    std::vector<char> marks(static_cast<std::size_t>(count), 0);
+    marks[static_cast<std::size_t>(marked)] = 1;
+    const Eigen::MatrixXd some = hessian(Projected(marks));
+    CHECK(some.middleRows<D>(marked * D) == all.middleRows<D>(marked * D));
+    indefinite += (all - plain).row(row).norm() > 1e-3 * plain.row(row).norm();
+    int far = 0;
+    for (int i = 0; i < count; ++i) {
+      long long apart = 0;
+      for (std::size_t a = 0; a < D; ++a)
+        apart = std::max(apart, std::abs(grid.plan.node_index(i)[a] - grid.plan.node_index(marked)[a]));
+      if (apart < grid.plan.nodes_per_axis()) continue;
+      ++far;
+      CHECK(some.middleRows<D>(i * D) == plain.middleRows<D>(i * D));
+    }
+    CHECK(far > 0);
+  });
+  CHECK(indefinite > 10);
+}
+
 TEST_CASE("elastic energy: a body of several materials is the sum of its parts") {
   const std::span<const LawInfo> all = laws();
   const int count = static_cast<int>(all.size());
