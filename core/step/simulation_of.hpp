@@ -162,8 +162,8 @@ class SimulationOf final : public Simulation {
   Vector momentum_before_, momentum_after_;
   std::vector<RubbingNode<D>> rubbing_;  ///< of the last accepted step, by ascending index
   MassVectors mass_memory_, velocity_mass_memory_;
-  ElasticMemory elastic_memory_;         ///< tangents while a step is solved for, then what `moved_` points to
-  Particles<D> other_;                   ///< the same where steps are explicit
+  ElasticMemory elastic_memory_;  ///< tangents while a step is solved for, then what `moved_` points to
+  Particles<D> other_;            ///< the same where steps are explicit
   Motion<D> moved_{};
   std::vector<Followed> probes_;
 
