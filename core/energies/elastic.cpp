@@ -195,6 +195,34 @@ double ElasticEnergy<D>::gradient(const Vector& u, Vector& g, Vector& magnitude)
 }
 
 template <int D>
+double ElasticEnergy<D>::rounding(Vector& level) {
+  constexpr double units = 8 * std::numeric_limits<double>::epsilon();
+  memory_.block_sum.resize(plan_.blocks().size());
+  with_nodes_per_axis(plan_, [&](auto k) {
+    constexpr int K = k;
+    using S = Stencil<D, K, 1, decltype(k)::dense>;
+    for_each_block_coloured(plan_, parallel_, [&](const Block<D>& block, int b) {
+      double local[S::nodes] = {};
+      double stiffness = 0;
+      for (int i = block.batch_begin; i < block.batch_end; ++i) {
+        const Batch& batch = plan_.batches()[index(i)];
+        Wide<W> room[2 * D * K], flux[D][D] = {};
+        for (int lane = 0; lane < batch.count; ++lane) {
+          const std::size_t p = index(batch.first + lane);
+          const double c = laws_[particles_.material[p]]->wave_speed(particles_.mass[p] / particles_.volume0[p]);
+          for (int a = 0; a < D; ++a) flux[a][a][lane] = units * particles_.mass[p] * c * c;
+          stiffness += particles_.mass[p] * c * c;
+        }
+        scatter_sizes<D, K, decltype(k)::dense>(flux, plan_.weights(i, room), local + batch.node);
+      }
+      memory_.block_sum[index(b)] = stiffness;
+      add_block<D, K, 1>(plan_, block, local, level.data());
+    });
+  });
+  return ordered_sum();
+}
+
+template <int D>
 void ElasticEnergy<D>::chunk_tangents(const Block<D>& block, const Chunk& chunk, const Projected& project) {
   float* place[Chunk::most];
   for (int i = chunk.batch_begin; i < chunk.batch_end; ++i) {

@@ -26,6 +26,10 @@ class Energy {
   virtual void hessian_product(const Vector& p, Vector& Hp) = 0;
   /// The D x D diagonal blocks, one a node, are added to `blocks`.
   virtual void diagonal(std::vector<Mat<D>>& blocks) = 0;
+  /// Of terms that are differences of large numbers: `level`, one entry a node, += what rounding may leave in
+  /// gradient() whatever u is [N]. Returns K [J] where value() E is as exact as rounding of sqrt(2 K E): strains are
+  /// known to so many digits after the point.
+  virtual double rounding(Vector& /*level*/) { return 0; }
   /// All of d2E/du2 is added to H, whose pattern holds every pair of nodes that share a cell.
   virtual void assemble(BlockMatrix<D>& H) = 0;
   /// The same for a preconditioner: node i is row row_of[i] of H. False, and nothing is added, where the term's

@@ -129,13 +129,26 @@ double IncrementalPotential<D>::norm(const Vector& g) const {
   return std::sqrt(g.cwiseAbs2().dot(vectors_.weight));
 }
 
+/// Of free nodes, an entry each.
+template <int D>
+double IncrementalPotential<D>::norm_of_sizes(const Vector& sizes) const {
+  double s = 0;
+  for (Eigen::Index i = 0; i < sizes.size(); ++i)
+    if (!vectors_.fixed[static_cast<std::size_t>(i)]) s += sizes[i] * sizes[i] * vectors_.weight[i * D];
+  return std::sqrt(s);
+}
+
 template <int D>
 double IncrementalPotential<D>::scale() const {
-  double s = 0;
-  for (Eigen::Index i = 0; i < vectors_.magnitude.size(); ++i)
-    if (!vectors_.fixed[static_cast<std::size_t>(i)])
-      s += vectors_.magnitude[i] * vectors_.magnitude[i] * vectors_.weight[i * D];
-  return std::max(reference_, std::sqrt(s));
+  return std::max(reference_, norm_of_sizes(vectors_.magnitude));
+}
+
+template <int D>
+double IncrementalPotential<D>::rounding() {
+  if (rounding_ >= 0) return rounding_;
+  vectors_.rounding.setZero(static_cast<Eigen::Index>(plan_.node_count()));
+  for (Energy<D>* term : terms()) stiffness_ += term->rounding(vectors_.rounding);
+  return rounding_ = norm_of_sizes(vectors_.rounding);
 }
 
 template class IncrementalPotential<2>;

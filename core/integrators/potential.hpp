@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <span>
 
 #include "core/energies/energy.hpp"
@@ -16,6 +17,7 @@ template <int D>
 struct PotentialVectors {
   Vector weight;            ///< 1 / m_i, a component
   Vector magnitude;         ///< s_i of the newest gradient
+  Vector rounding;          ///< of Energy::rounding
   std::vector<char> fixed;  ///< nodes without any free direction
   Vector over_free;
   std::vector<Mat<D>> free;
@@ -41,13 +43,15 @@ class IncrementalPotential final : public Objective<D> {
   void assemble_stencil(StencilMatrix<D>& H, const std::vector<std::int32_t>& row_of) override;
   double norm(const Vector& g) const override;
   double scale() const override;
-  double energy_scale() const override { return energy_scale_; }
+  double rounding() override;
+  double energy_scale() const override { return energy_scale_ + std::sqrt(2 * stiffness_ * energy_scale_); }
 
  private:
   void make_pattern(BlockMatrix<D>& H) const;
 
   const Plan<D>& plan_;
   const FeasibleSet<D>& set_;
+  double norm_of_sizes(const Vector& sizes) const;
   std::span<Energy<D>* const> terms() const { return {terms_.data(), term_count_}; }
 
   std::array<Energy<D>*, 8> terms_{};
@@ -56,6 +60,7 @@ class IncrementalPotential final : public Objective<D> {
   PotentialVectors<D> own_;
   PotentialVectors<D>& vectors_;
   double energy_scale_ = 0;
+  double rounding_ = -1, stiffness_ = 0;  ///< once they have been asked for; stiffness_: K of Energy::rounding [J]
   bool have_pattern_ = false;
 };
 

@@ -30,6 +30,7 @@ class Minimiser {
   void evaluate();
   void reduce();
   bool one_sided() const;
+  void mind_rounding();
   void measure_stiffness();
   double forcing() const;
   Projected projected() const;
@@ -67,6 +68,7 @@ class Minimiser {
   Where project_ = Where::nowhere;
   std::vector<char>& marked_ = vectors_.marked;
   double norm_when_projected_ = 0;
+  double rounding_ = 0;  ///< of g, where it has been asked for
   NewtonResult result_;
 };
 
@@ -84,6 +86,7 @@ void Minimiser<D>::reduce() {
   // A problem without any force is solved where it stands.
   const double scale = objective_.scale();
   residual_ = norm_ == 0 ? 0 : norm_ / std::max(scale, 1e-300);
+  if (rounding_ > 0) residual_ = std::min(residual_, settings_.tolerance * norm_ / rounding_);
 }
 
 template <int D>
@@ -96,6 +99,15 @@ template <int D>
 bool Minimiser<D>::one_sided() const {
   return std::any_of(set_.constrained.begin(), set_.constrained.end(),
                      [](const NodeConstraint<D>& c) { return c.faces > 0 || c.rub_bound > 0; });
+}
+
+/// Of bodies that have all but come to rest what is left of g is rounding, at which no step gets further: forces that
+/// T4 compares with have gone too. From now on that counts as converged.
+template <int D>
+void Minimiser<D>::mind_rounding() {
+  if (rounding_ > 0) return;
+  rounding_ = objective_.rounding();
+  reduce();
 }
 
 template <int D>
@@ -143,11 +155,12 @@ void Minimiser<D>::project_more(int round) {
   if (project_ == Where::nowhere) marked_.assign(static_cast<std::size_t>(nodes), 0);
   project_ = round > most_rounds ? Where::everywhere : Where::marked;
   if (project_ == Where::everywhere) return;
-  const auto size = [&](Eigen::Index i) { return free_g_.template segment<D>(i * D).squaredNorm(); };
+  const auto square = [&](Eigen::Index i) { return free_g_.template segment<D>(i * D).squaredNorm(); };
   double largest = 0;
-  for (Eigen::Index i = 0; i < nodes; ++i) largest = std::max(largest, size(i));
+  for (Eigen::Index i = 0; i < nodes; ++i) largest = std::max(largest, square(i));
+  const double least = largest * (round == 1 ? 1e-2 : 1e-4);
   for (Eigen::Index i = 0; i < nodes; ++i)
-    if (size(i) >= std::pow(0.01, round) * largest) marked_[static_cast<std::size_t>(i)] = 1;
+    if (square(i) >= least) marked_[static_cast<std::size_t>(i)] = 1;
 }
 
 template <int D>
@@ -300,6 +313,11 @@ NewtonResult Minimiser<D>::run() {
     record.energy = E_;
     if (observer_) observer_->iterate(u_, have_tau_ ? natural_g_ : free_g_, record);
     if (!std::isfinite(residual_)) return finish(NewtonStatus::not_finite);
+    const bool stalls = k > 2 && norm_ > 0.3 * previous_norm_;
+    if (residual_ > settings_.tolerance && stalls) {
+      mind_rounding();
+      record.residual = residual_;
+    }
     if (residual_ <= settings_.tolerance) {
       result_.iterations.push_back(record);
       return finish(NewtonStatus::converged);
@@ -314,6 +332,14 @@ NewtonResult Minimiser<D>::run() {
     if (solved.negative_curvature) d_ = -free_g_;  // only rounding makes a projected Hessian indefinite
     previous_norm_ = norm_;
     bool moved = search(record);
+    if (!moved) {
+      mind_rounding();
+      if (residual_ <= settings_.tolerance) {
+        result_.iterations.push_back(record);
+        continue;
+      }
+      moved = search(record);  // with what it now takes for rounding of E
+    }
     if (!moved && project_ != Where::everywhere) {
       // A true Hessian can point uphill far from the minimum: once more with the projected one.
       project_ = Where::everywhere;

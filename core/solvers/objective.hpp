@@ -40,7 +40,11 @@ class Objective {
   virtual double norm(const Vector& g) const = 0;
   /// What the norm of g is compared with at the point of the newest gradient(): T4's maximum.
   virtual double scale() const = 0;
-  /// Size of the terms that E(u) is a sum of: below about 1e-15 of it differences of E are rounding.
+  /// The norm of what rounding may leave of g where it should vanish. Found when it is asked for first: as much work as
+  /// half a gradient.
+  virtual double rounding() = 0;
+  /// Size of the terms that E(u) is a sum of: below about 1e-15 of it differences of E are rounding. Once rounding()
+  /// has been asked for, that of the numbers that they are made of.
   virtual double energy_scale() const = 0;
 };
 
