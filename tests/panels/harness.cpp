@@ -49,7 +49,8 @@ std::vector<StepReport> made_up_reports(int steps) {
     r.angular.time_integration = Vec3(0, 0, -0.003 * fade);
     r.angular.outside = Vec3(0, 0, 0.002 * swing);
     for (int i = 0; k > 0 && i < 4; ++i)
-      r.newton.push_back({std::pow(10.0, -1.5 * i), 1 - 0.1 * i, i == 0 ? 0.5 : 1.0, 12 + 3 * i, i == 1 ? 0.25 : 0, false});
+      r.newton.push_back(
+          {std::pow(10.0, -1.5 * i), 1 - 0.1 * i, i == 0 ? 0.5 : 1.0, 12 + 3 * i, i == 1 ? 0.25 : 0, false});
     r.residual = k > 0 ? 3e-7 : 0;
     r.linear_iterations = 66;
     r.ms = {0.2, 0.7, 0.1, 4.2 + 0.5 * swing, 0.9, 0.4, 0.3, 6.8 + 0.5 * swing};

@@ -170,3 +170,33 @@ TEST_CASE("every shipped study is sound, its first run comes to something, and i
   }
   CHECK(count >= 9);
 }
+
+TEST_CASE("a run whose energy leaves all bounds is stopped, and says so") {
+  const Study study = small_study(
+      R"("vary": {"/time/step": [0.02]}, "set": {"/integrator/type": "symplectic_euler", "/time/end": 4}, "cost": "work")");
+  StudyDriver driver(study, {});
+  REQUIRE(driver.run(1, nullptr));
+  const StudyRow row = driver.rows().front();
+  CHECK(row.status == RowStatus::unstable);
+  CHECK(row.behaviour == RunClass::blown_up);
+  CHECK(row.reason.find("stopped: its energy had grown beyond 10 times") == 0);
+}
+
+TEST_CASE("a body without stress is not called noisy") {
+  const auto noise = [](const std::string& velocity) {
+    std::string text = study_text(R"("vary": {"/transfer/type": ["apic"]}, "cost": "work", "samples": 2)");
+    // Free flight instead of the bar's swing.
+    const auto from = text.find("\"constraints\""), to = text.find("\"exact\"");
+    text.replace(from, to - from, "");
+    const auto exact = text.find("\"exact\""), end = text.find("},", exact);
+    text.replace(exact, end - exact + 1, "\"gravity\": [0, 0]}");
+    text.replace(text.find("\"shape\""), 7, R"("velocity": )" + velocity + R"(, "shape")");
+    StudyDriver driver(parse_study(text, "test.json", "."), {});
+    REQUIRE(driver.run(1, nullptr));
+    return driver.rows().front();
+  };
+  const StudyRow flying = noise("[1, 0.5]");
+  CHECK(std::isnan(flying.stress_noise));
+  CHECK(flying.behaviour != RunClass::noisy);
+  CHECK(noise(R"(["0.5*sin(3*X)", 0])").stress_noise > 0);  // that one is deformed
+}
