@@ -136,7 +136,8 @@ void Workbench::act(Action action, int index) {
     case Action::undo:
       if (context_.status.stroke_is_newest)
         session_.take_back_strokes();
-      else if (auto before = undo_.undo(document())) restore(std::move(*before));
+      else if (auto before = undo_.undo(document()))
+        restore(std::move(*before));
       break;
     case Action::redo:
       if (auto after = undo_.redo(document())) restore(std::move(*after));

@@ -71,8 +71,7 @@ void Workbench::follow_selection() {
   // A particle may have been cut away, or belong to a body that has not come yet in the past that is shown.
   if (context_.selected_particle && context_.snapshot && asked_about_ != context_.snapshot) {
     const auto& ids = context_.snapshot->id;
-    if (std::find(ids.begin(), ids.end(), *context_.selected_particle) == ids.end())
-      context_.selected_particle.reset();
+    if (std::find(ids.begin(), ids.end(), *context_.selected_particle) == ids.end()) context_.selected_particle.reset();
   }
   const LookQuestion question{context_.selected_particle, context_.selected_node};
   if (!question.particle) context_.inspected.reset();

@@ -47,7 +47,7 @@ struct PlotMemory {
   PlotView view[4];
   PlotView balance_view, probe_view;
   std::size_t probe_quantity = 0;  ///< of the probes' plot
-  bool relabel = false;  ///< a run was unpinned: the labels may get shorter
+  bool relabel = false;            ///< a run was unpinned: the labels may get shorter
 };
 
 /// A label for each scene from the settings in which they differ: "PIC", "FLIP, step 5 ms". Equal ones: "same

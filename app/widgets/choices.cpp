@@ -9,47 +9,73 @@ namespace pf::app {
 
 namespace {
 
+/// A word of the scene file. Of a method, what shows that it is worth choosing: a study on whose front it stands, or a
+/// lesson that uses what it does; `nowhere` where nothing does (yet). Other words are always offered.
 struct Choice {
-  std::string_view pointer_end, word, label, help;
+  std::string_view pointer_end, word, label, help, shown_by;
 };
+constexpr std::string_view nowhere = "-";
 constexpr std::array table{
     Choice{"/integrator/type", "backward_euler", "Backward Euler (implicit)",
-           "Stable at any step. Damps fast vibrations, the more the longer the step."},
+           "Stable at any step. Damps fast vibrations, the more the longer the step.",
+           "cheapest at long steps (study explicit-or-implicit)"},
     Choice{"/integrator/type", "symplectic_euler", "Symplectic Euler (explicit)",
-           "Cheap steps and no damping, but unstable above the explicit limit."},
-    Choice{"/integrator/type", "implicit_midpoint", "Implicit midpoint", "Keeps energy; second order in the step."},
-    Choice{"/integrator/type", "trapezoidal", "Trapezoidal rule", "Second order in the step, no damping."},
-    Choice{"/integrator/type", "tr_bdf2", "TR-BDF2", "Second order, damps only what the step cannot follow."},
-    Choice{"/integrator/type", "generalized_alpha", "Generalised alpha", "Second order with damping that can be set."},
-    Choice{"/integrator/type", "quasi_static", "Quasi-static (no inertia)", "Equilibrium at every load."},
-    Choice{"/integrator/mass", "lumped", "Lumped", "All mass at the nodes: a diagonal matrix, robust and cheap."},
+           "Cheap steps and no damping, but unstable above the explicit limit.",
+           "cheapest at short steps (studies bar-integrators, explicit-or-implicit)"},
+    Choice{"/integrator/type", "implicit_midpoint", "Implicit midpoint",
+           "Second order in the step. Keeps the energy of small motions; may gain some in hard contact.",
+           "on the front of study bar-integrators"},
+    Choice{"/integrator/type", "trapezoidal", "Trapezoidal rule", "Second order in the step, no damping.", nowhere},
+    Choice{"/integrator/type", "tr_bdf2", "TR-BDF2", "Second order, damps only what the step cannot follow.",
+           "on the front of study bar-integrators"},
+    Choice{"/integrator/type", "generalized_alpha", "Generalised alpha", "Second order with damping that can be set.",
+           "on the front of study bar-integrators"},
+    Choice{"/integrator/type", "quasi_static", "Quasi-static (no inertia)", "Equilibrium at every load.",
+           "lesson Locking"},
+    Choice{"/integrator/mass", "lumped", "Lumped", "All mass at the nodes: a diagonal matrix, robust and cheap.",
+           "on the front of study mass-matrices"},
     Choice{"/integrator/mass", "consistent", "Consistent",
-           "The mass matrix of the shape functions: couples neighbours."},
-    Choice{"/velocity_mass", "lumped", "Lumped", "Nodes average the particles around them."},
+           "The mass matrix of the shape functions: couples neighbours.", "on the front of study mass-matrices"},
+    Choice{"/velocity_mass", "lumped", "Lumped", "Nodes average the particles around them.",
+           "on the front of study mass-matrices"},
     Choice{"/velocity_mass", "consistent", "Consistent",
-           "Nodes take the velocities that give the particles' own back: PIC without its smoothing, but noise stays."},
-    Choice{"/transfer/type", "pic", "PIC (averages)", "Very stable, damps motion and spin strongly."},
-    Choice{"/transfer/type", "flip", "FLIP (increments)", "Keeps motion and spin, may keep noise."},
-    Choice{"/transfer/type", "apic", "APIC (affine)", "Keeps linear and angular momentum exactly in the transfer."},
-    Choice{"/transfer/type", "fmpm", "FMPM (filtered)", "PIC with its smoothing taken back, order by order."},
-    Choice{"/solver/linear", "auto", "Automatic", "Chosen by counted work; the choice is shown below."},
+           "Nodes take the velocities that give the particles' own back: PIC without its smoothing, but noise stays.",
+           "lesson Lumped or consistent mass"},
+    Choice{"/transfer/type", "pic", "PIC (averages)", "Very stable, damps motion and spin strongly.",
+           "lesson PIC, FLIP, APIC"},
+    Choice{"/transfer/type", "flip", "FLIP (increments)", "Keeps motion and spin, may keep noise.",
+           "on the front of study mass-matrices"},
+    Choice{"/transfer/type", "apic", "APIC (affine)", "Keeps linear and angular momentum exactly in the transfer.",
+           "least noise for what it keeps (study transfers-disc)"},
+    Choice{"/transfer/type", "fmpm", "FMPM (filtered)", "PIC with its smoothing taken back, order by order.", nowhere},
+    Choice{"/solver/linear", "auto", "Automatic", "Chosen by counted work; the choice is shown below.", {}},
     Choice{"/solver/linear", "pcg_jacobi", "Conjugate gradients, block-Jacobi",
-           "Few bytes and no factorisation; many iterations on stiff scenes."},
-    Choice{"/solver/linear", "pcg_ic", "Conjugate gradients, incomplete Cholesky", "Fewer, dearer iterations."},
-    Choice{"/solver/linear", "pcg_multigrid", "Conjugate gradients, multigrid", "For large or stiff scenes."},
-    Choice{"/solver/linear", "direct", "Direct (sparse Cholesky)", "Exact; quickest on small 2D scenes."},
-    Choice{"/grid/basis", "linear", "Linear", "Cheapest. Forces jump when a particle crosses a cell face."},
-    Choice{"/grid/basis", "quadratic", "Quadratic B-spline", "Smooth forces; the usual choice."},
-    Choice{"/grid/basis", "cubic", "Cubic B-spline", "Smoother still, with a wider reach and more work."},
-    Choice{"/grid/basis", "gimp", "GIMP", "Linear functions averaged over each particle's own square."},
-    Choice{"/contact", "stick", "Stick", "The material moves with the wall."},
-    Choice{"/contact", "slip", "Slip", "It slides along the wall and never leaves it."},
-    Choice{"/contact", "separate", "Separate", "It slides, rubs where there is friction, and may lift off."},
-    Choice{"/sampling", "lattice", "Lattice", "Particles in regular rows, aligned with the grid."},
-    Choice{"/sampling", "jittered", "Jittered", "Rows shaken at random: no alignment with the grid."},
-    Choice{"/sampling", "poisson_disc", "Poisson discs", "Random with a least distance: irregular but even."},
-    Choice{"/time/control", "fixed", "Fixed step", "Every step is as long as the time step says."},
-    Choice{"/time/control", "adaptive", "Adaptive", "The step follows a tolerance on the error."},
+           "Few bytes and no factorisation; many iterations on stiff scenes.",
+           "cheapest on small scenes (study linear-solvers)"},
+    Choice{"/solver/linear", "pcg_ic", "Conjugate gradients, incomplete Cholesky", "Fewer, dearer iterations.",
+           nowhere},
+    Choice{"/solver/linear", "pcg_multigrid", "Conjugate gradients, multigrid", "For large or stiff scenes.",
+           "cheapest from two thousand particles on (study linear-solvers)"},
+    Choice{"/solver/linear", "direct", "Direct (sparse Cholesky)", "Exact; for small 2D scenes.", nowhere},
+    Choice{"/grid/basis", "linear", "Linear", "Cheapest. Forces jump when a particle crosses a cell face.",
+           "lesson Shape functions; cheapest on coarse grids (study bases)"},
+    Choice{"/grid/basis", "quadratic", "Quadratic B-spline", "Smooth forces; the usual choice.",
+           "on the front of study bases"},
+    Choice{"/grid/basis", "cubic", "Cubic B-spline", "Smoother still, with a wider reach and more work.",
+           "lesson Shape functions"},
+    Choice{"/grid/basis", "gimp", "Linear, averaged (GIMP)",
+           "Linear functions averaged over each particle's own domain.", "on the front of study averaged-bases"},
+    Choice{"/grid/basis", "quadratic_gimp", "Quadratic, averaged",
+           "Quadratic B-splines averaged over each particle's own domain: the most exact once particles have moved.",
+           "on the front of study averaged-bases"},
+    Choice{"/contact", "stick", "Stick", "The material moves with the wall.", {}},
+    Choice{"/contact", "slip", "Slip", "It slides along the wall and never leaves it.", {}},
+    Choice{"/contact", "separate", "Separate", "It slides, rubs where there is friction, and may lift off.", {}},
+    Choice{"/sampling", "lattice", "Lattice", "Particles in regular rows, aligned with the grid.", {}},
+    Choice{"/sampling", "jittered", "Jittered", "Rows shaken at random: no alignment with the grid.", {}},
+    Choice{"/sampling", "poisson_disc", "Poisson discs", "Random with a least distance: irregular but even.", {}},
+    Choice{"/time/control", "fixed", "Fixed step", "Every step is as long as the time step says.", {}},
+    Choice{"/time/control", "adaptive", "Adaptive", "The step follows a tolerance on the error.", {}},
 };
 
 const Choice* find(std::string_view pointer, std::string_view word) {
@@ -77,7 +103,16 @@ std::string choice_label(std::string_view pointer, std::string_view choice) {
 std::string choice_help(std::string_view pointer, std::string_view choice) {
   if (const LawInfo* law = law_of(pointer, choice)) return std::string(law->about);
   const Choice* c = find(pointer, choice);
-  return c ? std::string(c->help) : std::string();
+  if (c == nullptr) return {};
+  std::string text(c->help);
+  if (c->shown_by == nowhere) return text + "\nNo study has it on its front: left to scene files and studies.";
+  if (!c->shown_by.empty()) text += "\nWhy it is offered: " + std::string(c->shown_by) + ".";
+  return text;
+}
+
+bool choice_offered(std::string_view pointer, std::string_view choice) {
+  const Choice* c = find(pointer, choice);
+  return c == nullptr || c->shown_by != nowhere;
 }
 
 }  // namespace pf::app

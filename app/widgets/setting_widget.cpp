@@ -132,6 +132,7 @@ bool draw_choice(Widget& w) {
   }
   if (open) {
     for (const std::string& choice : w.setting.choices) {
+      if (choice != now && !choice_offered(w.pointer, choice)) continue;
       if (ImGui::Selectable(choice_label(w.pointer, choice).c_str(), choice == now) && choice != now)
         changed = w.apply(choice);
       tooltip(choice_help(w.pointer, choice));

@@ -8,8 +8,8 @@ namespace pf {
 /// Whether an edit at `pointer` lets something enter a running simulation, or leave it: bodies enter; walls enter at
 /// the end of their list and leave from there; constraints and probes come and go as one likes.
 inline bool comes_or_goes_live(std::string_view pointer) {
-  for (const std::string_view list : {"/bodies/-", "/boundaries/-", "/boundaries", "/constraints/-", "/constraints",
-                                      "/probes/-", "/probes"})
+  for (const std::string_view list :
+       {"/bodies/-", "/boundaries/-", "/boundaries", "/constraints/-", "/constraints", "/probes/-", "/probes"})
     if (pointer == list) return true;
   return false;
 }
