@@ -23,12 +23,9 @@ struct Methods {
   std::span<const Choice> choices;
 };
 std::vector<Methods> methods() {
-  return {{"/grid/basis", basis_choices()},
-          {"/integrator/type", integrator_choices()},
-          {"/integrator/mass", mass_choices()},
-          {"/transfer/velocity_mass", mass_choices()},
-          {"/transfer/type", transfer_choices()},
-          {"/solver/linear", solver_choices()}};
+  return {{"/grid/basis", basis_choices()},       {"/integrator/type", integrator_choices()},
+          {"/integrator/mass", mass_choices()},   {"/transfer/velocity_mass", mass_choices()},
+          {"/transfer/type", transfer_choices()}, {"/solver/linear", solver_choices()}};
 }
 
 /// Cells of the rows that no cheaper row is as exact as.
@@ -41,7 +38,8 @@ std::vector<std::string> front(const CsvTable& table) {
   };
   std::vector<Row> rows;
   for (const auto& row : table.rows)
-    rows.push_back({csv_value(row[static_cast<std::size_t>(work)]), csv_value(row[static_cast<std::size_t>(error)]), &row});
+    rows.push_back(
+        {csv_value(row[static_cast<std::size_t>(work)]), csv_value(row[static_cast<std::size_t>(error)]), &row});
   std::erase_if(rows, [](const Row& row) { return !std::isfinite(row.work + row.error); });
   std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.work < b.work; });
   std::vector<std::string> cells;
@@ -94,8 +92,7 @@ TEST_CASE("what is said to stand on a study's front stands there") {
       ++found;
       CAPTURE(choice.name);
       CAPTURE(match[1].str());
-      const std::vector<std::string> cells =
-          front(read_csv(source / "docs/images/charts" / (match[1].str() + ".csv")));
+      const std::vector<std::string> cells = front(read_csv(source / "docs/images/charts" / (match[1].str() + ".csv")));
       CHECK(std::any_of(cells.begin(), cells.end(),
                         [&](const std::string& cell) { return cell.find(choice.name) != std::string::npos; }));
     }

@@ -103,9 +103,10 @@ TEST_CASE("every time scheme converges at its order on a fixed grid, whatever ma
 }
 
 TEST_SUITE("long") {
-  TEST_CASE("every time scheme converges at its order on a fixed grid, whatever basis") {
+  TEST_CASE("every time scheme converges at its order on a fixed grid, whatever basis is sampled at the particles") {
+    // Averaged ones fall short of it: docs/integrators.md.
     for (const BasisInfo& basis : bases())
-      if (basis.name != "quadratic") check_orders(basis.name);
+      if (basis.name != "quadratic" && !basis.averaged()) check_orders(basis.name);
   }
 }
 

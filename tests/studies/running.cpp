@@ -198,5 +198,5 @@ TEST_CASE("a body without stress is not called noisy") {
   const StudyRow flying = noise("[1, 0.5]");
   CHECK(std::isnan(flying.stress_noise));
   CHECK(flying.behaviour != RunClass::noisy);
-  CHECK(noise(R"(["0.5*sin(3*X)", 0])").stress_noise > 0);  // that one is deformed
+  CHECK(noise(R"x(["0.5*sin(3*X)", 0])x").stress_noise > 0);  // that one is deformed
 }
