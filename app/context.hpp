@@ -67,6 +67,7 @@ struct RunHistory {
 struct PanelMemory;  // app/panels/memory.hpp
 struct StudyDesk;    // app/studies/desk.hpp
 struct CompareDesk;  // app/compare/desk.hpp
+struct AdviceDesk;   // app/advice/desk.hpp
 class StepPlayer;    // app/inside/step_player.hpp
 class LessonDesk;    // app/lessons/desk.hpp
 
@@ -124,6 +125,7 @@ struct AppContext {
   std::shared_ptr<PanelMemory> memory;
   std::shared_ptr<StudyDesk> studies;    ///< made by studies_of() (app/studies/desk.hpp)
   std::shared_ptr<CompareDesk> compare;  ///< made by compare_of() (app/compare/desk.hpp)
+  std::shared_ptr<AdviceDesk> advice;    ///< made by advice_of() (app/advice/desk.hpp)
   int threads = 0;                       ///< of a simulation; 0: all
 };
 

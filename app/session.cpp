@@ -95,6 +95,9 @@ void Session::request(const SnapshotRequest& what) {
 void Session::look(const LookQuestion& question) {
   worker_->send(command::Ask{question}, false);
 }
+void Session::ask_state() {
+  worker_->send(command::AskState{}, false);
+}
 void Session::watch(RecordLevel level) {
   worker_->send(command::Watch{level}, false);
 }
@@ -180,6 +183,11 @@ std::string Session::recording_warning() const {
 std::optional<Look> Session::looked() {
   const std::lock_guard lock(worker_->mutex);
   return std::exchange(worker_->answer, std::nullopt);
+}
+
+std::optional<TrialStart> Session::asked_state() {
+  const std::lock_guard lock(worker_->mutex);
+  return std::exchange(worker_->asked_state, std::nullopt);
 }
 
 std::shared_ptr<const StepRecord> Session::record() const {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/record/order.hpp"
+#include "core/advice/advice.hpp"
 #include "core/look.hpp"
 #include "core/scene/scene.hpp"
 #include "core/scene/scene_io.hpp"
@@ -122,6 +123,10 @@ class Session {
   /// The inspector's question; answered by a later call, when the worker is between steps.
   void look(const LookQuestion& question);
   std::optional<Look> looked();
+  /// Asks for the newest state, for trials that go on from it; answered by a later call of asked_state(). A pull of the
+  /// mouse is no part of it.
+  void ask_state();
+  std::optional<TrialStart> asked_state();
   /// What is kept of each step, for record(); takes effect from the next step on.
   void watch(RecordLevel level);
   /// Of the newest accepted step; null where nothing was kept.

@@ -1,4 +1,5 @@
 #include "app/workbench.hpp"
+#include "app/advice/desk.hpp"
 #include "app/compare/desk.hpp"
 
 #include <imgui.h>
@@ -197,6 +198,7 @@ void Workbench::follow_session() {
     session_.request(wanted);
   }
   follow_comparison();
+  if (context_.advice) context_.advice->follow(context_);
   follow_history();
   follow_selection();
   follow_lesson(context_);

@@ -64,6 +64,7 @@ struct Look {
 struct Ask {
   LookQuestion question;
 };
+struct AskState {};
 struct Watch {
   RecordLevel level;
 };
@@ -75,7 +76,7 @@ struct FrameTaken {
   std::shared_ptr<const Snapshot> frame;
 };
 using Any = std::variant<Open, Run, Pause, StepOnce, Reset, GoTo, Branch, Ledger, Recount, Memory, EditTo, Suspend,
-                         Rate, End, Hold, Work, TakeBack, Look, Ask, Watch, TakeApart, Record, FrameTaken>;
+                         Rate, End, Hold, Work, TakeBack, Look, Ask, AskState, Watch, TakeApart, Record, FrameTaken>;
 }  // namespace command
 
 struct Session::Worker {
@@ -95,6 +96,7 @@ struct Session::Worker {
   std::shared_ptr<const Snapshot> newest;
   std::vector<HistorySample> history;
   std::optional<pf::Look> answer;
+  std::optional<TrialStart> asked_state;
   std::shared_ptr<const StepRecord> record;
   std::optional<ApartStep> apart;
   RecordProgress record_progress;
@@ -153,6 +155,7 @@ struct Session::Worker {
   void handle(const command::TakeBack&);
   void handle(const command::Look& look);
   void handle(const command::Ask& ask);
+  void handle(const command::AskState&);
   void handle(const command::Watch& watch);
   void handle(const command::TakeApart&);
   void handle(const command::Record& order);

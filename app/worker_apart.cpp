@@ -1,4 +1,6 @@
 // Looking inside: the inspector's questions, and one step recorded as it is taken, to be looked at slowly.
+#include <sstream>
+
 #include "app/worker.hpp"
 
 namespace pf::app {
@@ -9,6 +11,20 @@ void Session::Worker::handle(const command::Ask& ask) {
   {
     const std::lock_guard lock(mutex);
     answer = std::move(found);
+  }
+  call_window();
+}
+
+void Session::Worker::handle(const command::AskState&) {
+  if (!simulation_) return;
+  TrialStart start{
+      .scene = std::make_shared<const Scene>(simulation_->scene()), .state = {}, .step = simulation_->report().dt};
+  std::ostringstream out;
+  simulation_->save_state(out);
+  start.state = std::move(out).str();
+  {
+    const std::lock_guard lock(mutex);
+    asked_state = std::move(start);
   }
   call_window();
 }

@@ -78,6 +78,14 @@ struct VerifyOptions {
   std::filesystem::path out;  ///< a folder of results and charts a case; "" keeps none
 };
 
+struct AdviseOptions {
+  std::string scene;              ///< file, or name of a shipped scene
+  std::vector<std::string> sets;  ///< --set, in order
+  std::optional<double> at;       ///< [s]
+  std::optional<int> threads;
+  std::optional<std::filesystem::path> json;
+};
+
 /// The whole command line, without the program's name. Never throws.
 int run_command_line(const std::vector<std::string>& arguments);
 
@@ -85,6 +93,7 @@ int run_scene(const RunOptions& options);
 int check_scenes(const std::vector<std::string>& files);
 int run_studies(const StudyRunOptions& options);
 int verify(const VerifyOptions& options);
+int advise_on(const AdviseOptions& options);
 int compare_folders(const CompareOptions& options);
 int chart_tables(const ChartOptions& options);
 int list_names(const std::string& kind);

@@ -21,6 +21,9 @@ bool probed(const AppContext& c) {
 bool in_lesson(const AppContext& c) {
   return c.lesson != nullptr;
 }
+bool not_comparing(const AppContext& c) {
+  return !comparing(c);
+}
 bool slow(const AppContext& c) {
   return c.slow != nullptr;
 }
@@ -54,6 +57,7 @@ const std::vector<Panel>& panels() {
       {"Convergence", Dock::bottom, solves, draw_convergence_plot},
       {"Time by phase", Dock::bottom, always, draw_phases_plot},
       {"Compare", Dock::bottom, always, draw_compare_panel},
+      {"Advice", Dock::bottom, not_comparing, draw_advice_panel},
       {"Studies", Dock::bottom, always, draw_studies_panel},
   };
   return table;

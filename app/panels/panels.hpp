@@ -29,6 +29,7 @@ void draw_probe_plot(AppContext& context);
 void draw_convergence_plot(AppContext& context);
 void draw_phases_plot(AppContext& context);
 void draw_compare_panel(AppContext& context);  // app/compare/panel.cpp
+void draw_advice_panel(AppContext& context);   // app/advice/panel.cpp
 void draw_studies_panel(AppContext& context);
 
 }  // namespace pf::app

@@ -18,17 +18,6 @@ namespace {
 constexpr float wide = 40;        // em: the chart stands beside the rest
 constexpr float side_width = 17;  // em
 
-void bar(double share) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x, height = em(0.3F);
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const auto done = static_cast<float>(std::clamp(share, 0.0, 1.0)) * width;
-  draw.AddRectFilled(at, ImVec2(at.x + width, at.y + height), ImGui::GetColorU32(ImGuiCol_Border), height / 2);
-  if (done >= height)
-    draw.AddRectFilled(at, ImVec2(at.x + done, at.y + height), ImGui::GetColorU32(ImGuiCol_CheckMark), height / 2);
-  ImGui::Dummy(ImVec2(width, height));
-}
-
 double share_of(const StudyStatus& s) {
   if (s.stage == StudyStage::reference) return s.reference_share;
   return s.size > 0 ? static_cast<double>(s.finished) / static_cast<double>(s.size) : 0;
@@ -102,7 +91,7 @@ void draw_progress(AppContext& context, StudyDesk& desk) {
   } else {
     const std::string trouble = desk.results ? trouble_words(desk.results->rows) : "";
     paragraph(progress_words(s) + (trouble.empty() ? "" : "; " + trouble));
-    if (s.active() || (s.finished > 0 && s.finished < s.size)) bar(share_of(s));
+    if (s.active() || (s.finished > 0 && s.finished < s.size)) progress_bar(share_of(s));
   }
   if (desk.holds_view()) warning("The live view stands still while runs are timed.");
   draw_buttons(context, desk);

@@ -115,4 +115,15 @@ bool foldable(const char* label, bool open) {
   return shown;
 }
 
+void progress_bar(double share) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, height = em(0.3F);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const auto done = static_cast<float>(std::clamp(share, 0.0, 1.0)) * width;
+  draw.AddRectFilled(at, ImVec2(at.x + width, at.y + height), ImGui::GetColorU32(ImGuiCol_Border), height / 2);
+  if (done >= height)
+    draw.AddRectFilled(at, ImVec2(at.x + done, at.y + height), ImGui::GetColorU32(ImGuiCol_CheckMark), height / 2);
+  ImGui::Dummy(ImVec2(width, height));
+}
+
 }  // namespace pf::app

@@ -36,6 +36,8 @@ bool text_button(const char* label);
 bool flow_button(const char* label, bool first);
 /// Like ImGui::Checkbox, the label wrapped.
 bool checkbox(const char* id, std::string_view label, bool* value);
+/// A thin bar over the whole width, `share` of it filled.
+void progress_bar(double share);
 /// Starts a group that can be folded; closed at first unless `open`.
 bool foldable(const char* label, bool open = false);
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <map>
 
+#include "app/advice/desk.hpp"
 #include "app/compare/desk.hpp"
 #include "app/inside/step_player.hpp"
 #include "app/lessons/desk.hpp"
@@ -159,6 +160,14 @@ const std::map<std::string, Prepare>& views() {
          desk.add(s.context(), "/grid/basis", "linear");
          s.act_until(0.6);
          desk.metric = 7;
+       }},
+      {"advice",
+       [](Shot& s) {
+         s.show("welcome", 30);
+         s.context().show_plot("Advice");
+         s.frames(3);
+         advice_of(s.context()).ask(s.context());
+         s.until([&] { return !advice_of(s.context()).busy(); });
        }},
       {"compare-difference",
        [](Shot& s) {

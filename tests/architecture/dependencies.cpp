@@ -43,6 +43,8 @@ const std::map<std::string, Folders> core_rule{
      {"", "params", "math", "bases", "materials", "grid", "transfers", "energies", "solvers", "integrators", "scene",
       "diagnostics"}},
     {"studies", {"", "params", "math", "bases", "materials", "scene", "diagnostics", "charts", "output"}},
+    // Tries things on whole simulations.
+    {"advice", {"", "params", "bases", "integrators", "scene", "studies"}},
     {"lab", {"", "params", "math", "materials", "scene", "diagnostics", "charts", "output"}},
 };
 // Plain types at the top of core that every folder may include.
