@@ -67,7 +67,7 @@ struct RunHistory {
 struct PanelMemory;  // app/panels/memory.hpp
 struct StudyDesk;    // app/studies/desk.hpp
 struct CompareDesk;  // app/compare/desk.hpp
-struct AdviceDesk;   // app/advice/desk.hpp
+class AdviceDesk;    // app/advice/desk.hpp
 class StepPlayer;    // app/inside/step_player.hpp
 class LessonDesk;    // app/lessons/desk.hpp
 

@@ -335,6 +335,7 @@ std::optional<AdviceReport> advise(const TrialStart& start, const AdviceOptions&
 std::vector<Edit> inverse(const Scene& scene, const std::vector<Edit>& edits) {
   const nlohmann::json json = to_json(scene);
   std::vector<Edit> back;
+  back.reserve(edits.size());
   for (const Edit& edit : edits) back.push_back({edit.pointer, json.at(nlohmann::json::json_pointer(edit.pointer))});
   return back;
 }
