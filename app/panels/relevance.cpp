@@ -60,6 +60,10 @@ constexpr std::array rules{
     Rule{"/time/tolerance", "", [](const Scene& s, std::string_view) { return adaptive(s); }},
     Rule{"/integrator/spectral_radius", "",
          [](const Scene& s, std::string_view) { return s.integrator.type == "generalized_alpha"; }},
+    Rule{"/integrator/ghost_penalty", "",
+         [](const Scene& s, std::string_view) {
+           return has_inertia(s) && (s.integrator.mass == "consistent" || s.transfer.velocity_mass == "consistent");
+         }},
     Rule{"/integrator/mass", "", [](const Scene& s, std::string_view) { return has_inertia(s) && !explicit_step(s); }},
     Rule{"/solver/", "", [](const Scene& s, std::string_view) { return !explicit_step(s); }},
     Rule{"/boundaries/", "/friction", rubs},

@@ -82,6 +82,7 @@ void draw_time_panel(AppContext& context) {
   if (foldable("Advanced")) {
     setting_widget(context, "/time/frame");
     setting_widget(context, "/integrator/mass");
+    setting_widget(context, "/integrator/ghost_penalty");
   }
 }
 

@@ -74,7 +74,7 @@ void Kernels<D>::plan_and_transfers() {
 template <int D>
 void Kernels<D>::elastic() {
   ElasticEnergy<D> elastic(body_.plan, body_.particles, body_.laws, body_.parallel, body_.work);
-  const MassMatrix<D> mass(body_.plan, body_.particles, body_.grid.mass, false, body_.parallel, body_.work);
+  const MassMatrix<D> mass(body_.plan, body_.particles, body_.grid.mass, {}, body_.parallel, body_.work);
   Inertia<D> inertia(mass, body_.grid.v, 0.01);
   IncrementalPotential<D> potential(body_.plan, body_.grid.mass, body_.set, {&inertia, &elastic}, {});
   const Vector& u = body_.grid.u;

@@ -24,23 +24,25 @@ Wide<lane_count<D>> masses(const Particles<D>& particles, const Batch& batch) {
 }  // namespace
 
 template <int D>
-MassMatrix<D>::MassMatrix(const Plan<D>& plan, const Particles<D>& particles, const Vector& lumped, bool consistent,
-                          Parallel& parallel, Work& work, MassVectors* vectors)
+MassMatrix<D>::MassMatrix(const Plan<D>& plan, const Particles<D>& particles, const Vector& lumped,
+                          const MassKind& kind, Parallel& parallel, Work& work, MassMemory<D>* memory)
     : plan_(plan),
       particles_(particles),
       lumped_(lumped),
-      consistent_(consistent),
+      consistent_(kind.consistent),
       parallel_(parallel),
       work_(work),
-      vectors_(vectors ? *vectors : own_) {
+      memory_(memory ? *memory : own_) {
   if (!consistent_) return;
   if (particles.size() < static_cast<std::size_t>(plan.node_count())) blend_ = singular_blend;
+  memory_.ghost.clear();
+  if (kind.ghost_penalty > 0) memory_.ghost.build(plan, lumped, kind.ghost_penalty);
   compute_diagonal();
 }
 
 template <int D>
 void MassMatrix<D>::compute_diagonal() {
-  Vector& diagonal = vectors_.diagonal;
+  Vector& diagonal = memory_.diagonal;
   diagonal.setZero(plan_.node_count());
   with_nodes_per_axis(plan_, [&](auto k) {
     constexpr int K = k;
@@ -60,6 +62,7 @@ void MassMatrix<D>::compute_diagonal() {
     });
   });
   diagonal = (1 - blend_) * diagonal + blend_ * lumped_;
+  memory_.ghost.add_diagonal(diagonal);
 }
 
 template <int D>
@@ -94,6 +97,7 @@ void MassMatrix<D>::multiply(const Vector& v, Vector& out) const {
     for (Eigen::Index i = 0; i < lumped_.size(); ++i)
       out.segment<D>(i * D) += blend_ * lumped_[i] * v.segment<D>(i * D);
   }
+  memory_.ghost.add_product(v, out);
   work_.hessian_product += particles_.size();
 }
 
@@ -106,11 +110,11 @@ template <int D>
 int MassMatrix<D>::solve(const Vector& b, Vector& v, double& residual) const {
   constexpr double tolerance = 1e-13;
   constexpr int most = 1000;
-  auto& [unused, scale, r, Mp, z, p] = vectors_;
+  auto& [unused, scale, r, Mp, z, p, ghost] = memory_;
   scale.resize(b.size());
   const double smallest = 1e-14 * diagonal().maxCoeff();
   for (Eigen::Index i = 0; i < diagonal().size(); ++i)
-    scale.segment<D>(i * D).setConstant(diagonal()[i] > smallest ? 1 / diagonal()[i] : 0);
+    scale.template segment<D>(i * D).setConstant(diagonal()[i] > smallest ? 1 / diagonal()[i] : 0);
   z = scale.cwiseProduct(b);
   const double start = std::max(std::sqrt(dot(b, z)), 1e-300);
   multiply(v, r);
@@ -141,6 +145,7 @@ void MassMatrix<D>::assemble(double factor, BlockMatrix<D>& H) const {
   if (lumped_part > 0)
     for (int i = 0; i < H.rows(); ++i) H.at(i, i).diagonal().array() += factor * lumped_part * lumped_[i];
   if (!consistent_) return;
+  memory_.ghost.assemble(factor, H);
   factor *= 1 - blend_;
   with_nodes_per_axis(plan_, [&](auto k) {
     constexpr int K = k, count = D == 2 ? K * K : K * K * K;

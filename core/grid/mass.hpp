@@ -2,6 +2,7 @@
 // through the particles and never stored.
 #pragma once
 
+#include "core/grid/ghost_penalty.hpp"
 #include "core/grid/plan.hpp"
 #include "core/math/block_matrix.hpp"
 #include "core/step_report.hpp"
@@ -11,17 +12,25 @@ namespace pf {
 /// Part of the lumped matrix that a singular consistent one is blended with; measured in docs/mass-matrix.md.
 inline constexpr double singular_blend = 0.05;
 
+/// Which mass matrix.
+struct MassKind {
+  bool consistent = false;
+  double ghost_penalty = 0;  ///< gamma of core/grid/ghost_penalty.hpp, of the consistent one; 0: none
+};
+
 /// What a MassMatrix computes with; kept between steps for its memory alone.
-struct MassVectors {
+template <int D>
+struct MassMemory {
   Vector diagonal, scale, r, Mp, z, p;
+  GhostPenalty<D> ghost;
 };
 
 template <int D>
 class MassMatrix {
  public:
-  /// `lumped`: m_i, one a node. All are referred to, and `vectors` where it is given.
-  MassMatrix(const Plan<D>& plan, const Particles<D>& particles, const Vector& lumped, bool consistent,
-             Parallel& parallel, Work& work, MassVectors* vectors = nullptr);
+  /// `lumped`: m_i, one a node. All are referred to, and `memory` where it is given.
+  MassMatrix(const Plan<D>& plan, const Particles<D>& particles, const Vector& lumped, const MassKind& kind,
+             Parallel& parallel, Work& work, MassMemory<D>* memory = nullptr);
   MassMatrix(const MassMatrix&) = delete;
 
   bool consistent() const { return consistent_; }
@@ -30,7 +39,7 @@ class MassMatrix {
   double blend() const { return blend_; }
   const Vector& lumped() const { return lumped_; }
   /// The diagonal, one entry a node: m_i or M_ii.
-  const Vector& diagonal() const { return consistent_ ? vectors_.diagonal : lumped_; }
+  const Vector& diagonal() const { return consistent_ ? memory_.diagonal : lumped_; }
   /// out = M v, D components a node.
   void multiply(const Vector& v, Vector& out) const;
   /// M v = b by conjugate gradients scaled by the diagonal, from v = v0. M may be nearly singular (slivers at the
@@ -51,8 +60,8 @@ class MassMatrix {
   double blend_ = 0;
   Parallel& parallel_;
   Work& work_;
-  MassVectors own_;
-  MassVectors& vectors_;
+  MassMemory<D> own_;
+  MassMemory<D>& memory_;
 };
 
 extern template class MassMatrix<2>;

@@ -18,10 +18,19 @@ struct BlockMatrix {
   int rows() const { return static_cast<int>(row_start.size()) - 1; }
   void set_zero() { std::fill(block.begin(), block.end(), Mat<D>::Zero()); }
   /// The block (row, col), col <= row, which must be in the pattern.
-  Mat<D>& at(std::int32_t row, std::int32_t col) {
+  Mat<D>& at(std::int32_t row, std::int32_t col) { return block[place(row, col)]; }
+  /// The same; nullptr where it is not in the pattern.
+  Mat<D>* find(std::int32_t row, std::int32_t col) {
+    const std::size_t k = place(row, col);
+    return k < static_cast<std::size_t>(row_start[static_cast<std::size_t>(row) + 1]) && column[k] == col ? &block[k]
+                                                                                                          : nullptr;
+  }
+
+ private:
+  std::size_t place(std::int32_t row, std::int32_t col) const {
     const auto begin = column.begin() + row_start[static_cast<std::size_t>(row)];
     const auto end = column.begin() + row_start[static_cast<std::size_t>(row) + 1];
-    return block[static_cast<std::size_t>(std::lower_bound(begin, end, col) - column.begin())];
+    return static_cast<std::size_t>(std::lower_bound(begin, end, col) - column.begin());
   }
 };
 

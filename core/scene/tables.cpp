@@ -94,6 +94,15 @@ const Table& integrator_table() {
         .live()
         .help(
             "Mass matrix of the inertia term. Lumped is diagonal; the consistent one is more accurate and costs more.");
+    t.number(&IntegratorSettings::ghost_penalty, "ghost_penalty", "Ghost penalty", "")
+        .at_least(0)
+        .at_most(10)
+        .slider(0, 1)
+        .live()
+        .help(
+            "Ties nodes at free edges that hold little mass to their neighbours, so that the consistent mass (of "
+            "inertia "
+            "or transfer) is safe there; .05 to .5 is usual, 0 is none.");
     t.number(&IntegratorSettings::spectral_radius, "spectral_radius", "Spectral radius", "")
         .at_least(0)
         .at_most(1)

@@ -102,6 +102,7 @@ class SimulationOf final : public Simulation {
   void count_solves(const StepReport& report);
   double expected_iterations(double dt) const;
   double weigh(const Work& work) const;
+  MassKind inertia_mass() const { return {scene_.integrator.mass == "consistent", scene_.integrator.ghost_penalty}; }
   std::unique_ptr<StepControl> new_control() const;
   void make_control();
   Integrator<D>& integrator_of(const StepChoice& choice);
@@ -161,7 +162,7 @@ class SimulationOf final : public Simulation {
   FeasibleSet<D> set_;
   Vector momentum_before_, momentum_after_;
   std::vector<RubbingNode<D>> rubbing_;  ///< of the last accepted step, by ascending index
-  MassVectors mass_memory_, velocity_mass_memory_;
+  MassMemory<D> mass_memory_, velocity_mass_memory_;
   ElasticMemory elastic_memory_;  ///< tangents while a step is solved for, then what `moved_` points to
   Particles<D> other_;            ///< the same where steps are explicit
   Motion<D> moved_{};

@@ -112,7 +112,9 @@ void SimulationOf<D>::sharpen(const Vector& momentum, Vector& rate, StepReport& 
   const bool consistent =
       scene_.transfer.velocity_mass == "consistent" && find_integrator(scene_.integrator.type)->inertia;
   if (transfer_->order() < 2 && !consistent) return;
-  const MassMatrix<D> M(plan_, particles_, grid_.mass, true, parallel_, work_, &velocity_mass_memory_);
+  // FMPM takes back, order by order, what lumping does to M itself.
+  const MassMatrix<D> M(plan_, particles_, grid_.mass, {true, consistent ? scene_.integrator.ghost_penalty : 0},
+                        parallel_, work_, &velocity_mass_memory_);
   tell_of_blend(M, report);
   if (!consistent) return sharpen_velocity(M, transfer_->order(), rate);
   double residual = 0;
@@ -210,8 +212,7 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
     if (const std::string loose = free_rigid_motion(plan_, set); !loose.empty()) return {Attempt::refused, loose};
   Stages stages(*this, dt);
   if (!grid_.v.allFinite()) stages.unfit = time_;
-  const MassMatrix<D> M(plan_, particles_, grid_.mass, scene_.integrator.mass == "consistent", parallel_, work_,
-                        &mass_memory_);
+  const MassMatrix<D> M(plan_, particles_, grid_.mass, inertia_mass(), parallel_, work_, &mass_memory_);
   if (M.consistent()) tell_of_blend(M, report);
   ElasticEnergy<D> elastic(plan_, particles_, laws_, parallel_, work_, &elastic_memory_);
   std::optional<GrabSpring<D>> spring;
@@ -224,7 +225,7 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
   StepOutcome outcome{.choice = choice};
   std::optional<StepRecorder<D>> recorder;
   if (recording_ != RecordLevel::none) {
-    recorder.emplace(recording_, plan_, particles_, laws_, grid_, M.consistent(), parallel_);
+    recorder.emplace(recording_, plan_, particles_, laws_, grid_, inertia_mass(), parallel_);
     Stages apart(*this, dt);  // a load that is no number at t^n is not the step's trouble
     recorder->begin_step(accepted_.step + 1, time_, dt, apart);
   }

@@ -21,12 +21,12 @@ std::vector<double> numbers(const Array* first, std::size_t count) {
 
 template <int D>
 StepRecorder<D>::StepRecorder(RecordLevel level, const Plan<D>& plan, const Particles<D>& particles,
-                              const Laws<D>& laws, const GridState<D>& grid, bool consistent, Parallel& parallel)
+                              const Laws<D>& laws, const GridState<D>& grid, const MassKind& mass, Parallel& parallel)
     : level_(level),
       plan_(plan),
       particles_(particles),
       grid_(grid),
-      mass_(plan, particles, grid.mass, consistent && level == RecordLevel::all, parallel, work_),
+      mass_(plan, particles, grid.mass, level == RecordLevel::all ? mass : MassKind{}, parallel, work_),
       elastic_(plan, particles, laws, parallel, work_) {}
 
 template <int D>

@@ -15,7 +15,7 @@ class StepRecorder final : public StepObserver {
  public:
   /// All are referred to; `grid` holds masses and v^n.
   StepRecorder(RecordLevel level, const Plan<D>& plan, const Particles<D>& particles, const Laws<D>& laws,
-               const GridState<D>& grid, bool consistent, Parallel& parallel);
+               const GridState<D>& grid, const MassKind& mass, Parallel& parallel);
 
   void begin_step(long step, double time, double dt, StepConditions<D>& conditions);
   void stage(double scale, const Vector& u_free, const Vector& loads, const Vector* inner) override;

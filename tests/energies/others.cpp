@@ -20,7 +20,7 @@ Particles<D> cloud() {
 template <int D>
 void check_inertia(const BasisInfo& basis, bool consistent) {
   Grid<D> grid(cloud<D>(), basis.name, dx);
-  const MassMatrix<D> M(grid.plan, grid.particles, grid.state.mass, consistent, grid.parallel, grid.work);
+  const MassMatrix<D> M(grid.plan, grid.particles, grid.state.mass, {consistent}, grid.parallel, grid.work);
   test::Random random(73);
   const Vector v = random.values(grid.unknowns(), 1), u = random.values(grid.unknowns(), dx);
   constexpr double dt = 0.02;

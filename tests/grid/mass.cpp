@@ -33,12 +33,12 @@ template <int D>
 void check_products(const BasisInfo& basis) {
   Grid<D> grid(test::scattered<D>(60, dx, 0.5, 23), basis.name, dx);
   Eigen::MatrixXd M = dense_mass(grid, basis.name);
-  const MassMatrix<D> consistent(grid.plan, grid.particles, grid.state.mass, true, grid.parallel, grid.work);
+  const MassMatrix<D> consistent(grid.plan, grid.particles, grid.state.mass, {true}, grid.parallel, grid.work);
   // Fewer particles than nodes make M singular, and only then it is blended with the lumped one.
   const bool few = grid.particles.size() < static_cast<std::size_t>(grid.plan.node_count());
   CHECK(consistent.blend() == (few ? singular_blend : 0));
   M = (1 - consistent.blend()) * M + consistent.blend() * Eigen::MatrixXd(grid.state.mass.asDiagonal());
-  const MassMatrix<D> lumped(grid.plan, grid.particles, grid.state.mass, false, grid.parallel, grid.work);
+  const MassMatrix<D> lumped(grid.plan, grid.particles, grid.state.mass, {false}, grid.parallel, grid.work);
   const double size = M.cwiseAbs().maxCoeff();
   CHECK((M.rowwise().sum() - grid.state.mass).norm() < 1e-13 * grid.state.mass.norm());
   CHECK((M.diagonal() - consistent.diagonal()).norm() < 1e-13 * size * D);
@@ -66,7 +66,7 @@ void check_singular(const BasisInfo& basis, int particles) {
   Particles<D> few = test::scattered<D>(particles, dx, 0.3, 29);
   few.x[0].setConstant(-0.07);
   Grid<D> grid(few, basis.name, dx);
-  const MassMatrix<D> M(grid.plan, grid.particles, grid.state.mass, true, grid.parallel, grid.work);
+  const MassMatrix<D> M(grid.plan, grid.particles, grid.state.mass, {true}, grid.parallel, grid.work);
   lumped_velocity(grid.plan, grid.particles, grid.state);
   Vector v = grid.state.v;
   double residual = 1;

@@ -64,7 +64,7 @@ template <int D>
 struct Step {
   Step(Particles<D> particles, std::string_view basis, int threads = 1, bool share_volume = false)
       : grid(std::move(particles), basis, dx, threads),
-        mass(grid.plan, grid.particles, grid.state.mass, false, grid.parallel, grid.work),
+        mass(grid.plan, grid.particles, grid.state.mass, {}, grid.parallel, grid.work),
         inertia(mass, Vector::Zero(grid.unknowns()), 0.01),
         elastic(grid.plan, grid.particles, grid.laws, grid.parallel, grid.work),
         potential(grid.plan, grid.state.mass, set, {&inertia, &elastic}, {}) {

@@ -43,7 +43,7 @@ struct Problem {
   Problem(const LawInfo& law, int cells, double dt, std::function<Vec<D>(const Vec<D>&)> velocity,
           std::string_view basis = "quadratic", bool consistent = false)
       : grid(block<D>(cells), basis, dx),
-        mass(grid.plan, grid.particles, grid.state.mass, consistent, grid.parallel, grid.work),
+        mass(grid.plan, grid.particles, grid.state.mass, {consistent}, grid.parallel, grid.work),
         elastic(grid.plan, grid.particles, grid.laws, grid.parallel, grid.work),
         friction(set),
         external(force) {

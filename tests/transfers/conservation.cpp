@@ -56,7 +56,7 @@ struct RoundTrip {
       for (Mat<D>& C : grid.particles.C) C.setZero();
     particles_to_grid(grid.plan, grid.particles, transfer->affine(), grid.parallel, grid.state);
     lumped_velocity(grid.plan, grid.particles, grid.state);
-    const MassMatrix<D> M(grid.plan, grid.particles, grid.state.mass, true, grid.parallel, grid.work);
+    const MassMatrix<D> M(grid.plan, grid.particles, grid.state.mass, {true}, grid.parallel, grid.work);
     sharpen_velocity(M, transfer->order(), grid.state.v);
     grid.state.v_end = grid.state.v;
     before = balance();
@@ -162,7 +162,7 @@ TEST_CASE("the consistent velocity is the least-squares fit to the particles, an
       CAPTURE(basis.name);
       CAPTURE(count);
       Grid<2> grid(count == 200 ? jittered(14) : general<2>(count, 131), basis.name, dx);
-      const MassMatrix<2> M(grid.plan, grid.particles, grid.state.mass, true, grid.parallel, grid.work);
+      const MassMatrix<2> M(grid.plan, grid.particles, grid.state.mass, {true}, grid.parallel, grid.work);
       lumped_velocity(grid.plan, grid.particles, grid.state);
       double residual = 1;
       M.solve(grid.state.momentum, grid.state.v, residual);

@@ -36,7 +36,7 @@ template <int D>
 void check_sharpening(const BasisInfo& basis) {
   Grid<D> grid(block<D>(), basis.name, dx);
   lumped_velocity(grid.plan, grid.particles, grid.state);
-  const MassMatrix<D> M(grid.plan, grid.particles, grid.state.mass, true, grid.parallel, grid.work);
+  const MassMatrix<D> M(grid.plan, grid.particles, grid.state.mass, {true}, grid.parallel, grid.work);
   REQUIRE(M.blend() == 0);
   const Vector lumped = grid.state.v;
   Vector once = lumped;

@@ -1,0 +1,93 @@
+#include "core/grid/ghost_penalty.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pf {
+
+namespace {
+
+constexpr std::array<double, 4> difference{-1, 3, -3, 1};
+
+std::size_t at(std::int32_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Does the line of four from this coordinate on meet a spline that ends at a wall?
+bool meets(const EdgePlanes& walls, long long from) {
+  constexpr long long reach = 1;  // the functions on both sides of the plane are not splines
+  const auto near = [&](const std::optional<long long>& plane) {
+    return plane && from <= *plane + reach && from + 3 >= *plane - reach;
+  };
+  return near(walls.low) || near(walls.high);
+}
+
+}  // namespace
+
+template <int D>
+void GhostPenalty<D>::build(const Plan<D>& plan, const Vector& lumped, double gamma) {
+  lines_.clear();
+  const auto count = static_cast<std::size_t>(plan.node_count());
+  next_.resize(count);
+  for (int axis = 0; axis < D; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    for (std::size_t i = 0; i < count; ++i) {
+      std::array<long long, D> index = plan.node_indices()[i];
+      ++index[a];
+      next_[i] = plan.find_node(index);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      Line line{{static_cast<std::int32_t>(i), -1, -1, -1}, 0};
+      double heaviest = lumped[static_cast<Eigen::Index>(i)], lightest = heaviest;
+      bool whole = true;
+      for (std::size_t k = 1; k < 4 && whole; ++k) {
+        line.node[k] = next_[at(line.node[k - 1])];
+        whole = line.node[k] >= 0;
+        if (!whole) break;
+        const double m = lumped[line.node[k]];
+        heaviest = std::max(heaviest, m);
+        lightest = std::min(lightest, m);
+      }
+      if (!whole || !(lightest < light * heaviest) || meets(plan.edges(axis), plan.node_indices()[i][a])) continue;
+      line.strength = gamma * heaviest;
+      lines_.push_back(line);
+    }
+  }
+}
+
+template <int D>
+void GhostPenalty<D>::add_product(const Vector& v, Vector& out) const {
+  for (const Line& line : lines_) {
+    Vec<D> jump = Vec<D>::Zero();
+    for (std::size_t k = 0; k < 4; ++k) jump += difference[k] * v.segment<D>(static_cast<Eigen::Index>(line.node[k]) * D);
+    jump *= line.strength;
+    for (std::size_t k = 0; k < 4; ++k) out.segment<D>(static_cast<Eigen::Index>(line.node[k]) * D) += difference[k] * jump;
+  }
+}
+
+template <int D>
+void GhostPenalty<D>::add_diagonal(Vector& diagonal) const {
+  for (const Line& line : lines_)
+    for (std::size_t k = 0; k < 4; ++k) diagonal[line.node[k]] += line.strength * difference[k] * difference[k];
+}
+
+template <int D>
+void GhostPenalty<D>::assemble(double factor, BlockMatrix<D>& H) const {
+  for (const Line& line : lines_)
+    for (std::size_t r = 0; r < 4; ++r)
+      for (std::size_t c = 0; c <= r; ++c) {
+        const double value = factor * line.strength * difference[r] * difference[c];
+        const std::int32_t i = line.node[r], j = line.node[c];
+        if (Mat<D>* const block = H.find(std::max(i, j), std::min(i, j))) {
+          block->diagonal().array() += value;
+        } else {
+          H.at(i, i).diagonal().array() += std::abs(value);
+          H.at(j, j).diagonal().array() += std::abs(value);
+        }
+      }
+}
+
+template class GhostPenalty<2>;
+template class GhostPenalty<3>;
+
+}  // namespace pf
