@@ -62,6 +62,11 @@ class GlfwWindow {
     fed_ = pointer;
     touched_ = true;
   }
+  /// A key as if it had been pressed.
+  void feed_key(const Key& key) {
+    keys_.push_back(key);
+    touched_ = true;
+  }
 
   void begin_frame();  ///< of ImGui and OpenGL
   void end_frame();    ///< draws ImGui over what is there

@@ -53,6 +53,7 @@ class Workbench {
 
   /// The mouse of a script or a test in place of the screen's.
   void feed(const std::optional<GlfwWindow::Pointer>& pointer) { window_.feed(pointer); }
+  void feed_key(int key, int mods) { window_.feed_key({key, mods}); }
   /// A frame drawn now: the whole window with its panels.
   Image screenshot();
 

@@ -39,8 +39,9 @@ void draw_ask(AppContext& context, AdviceDesk& desk) {
   if (ImGui::Button(first ? "Measure" : "Measure again")) desk.ask(context);
   pop_accent_button();
   ImGui::EndDisabled();
-  tooltip("Measures what longer steps, other integrators, explicit steps, smaller bases, looser tolerances would cost "
-          "and how far they would be off, from the state at hand.");
+  tooltip(
+      "Measures what longer steps, other integrators, explicit steps, smaller bases, looser tolerances would cost "
+      "and how far they would be off, from the state at hand.");
 }
 
 void draw_trial(AppContext& context, const AdviceDesk& desk, std::size_t k) {
@@ -132,8 +133,8 @@ void draw_chart(AppContext& context, AdviceDesk& desk) {
   PlotLook look;
   look.own_legend = true;
   look.title = "Advice for " + (context.scene.name.empty() ? "the scene" : context.scene.name);
-  look.subtitle = "Work and error over " + quantity(report->span, "s", 3) + " from t = " +
-                  quantity(report->time, "s", 4) + ", work of the run as it is = 1";
+  look.subtitle = "Work and error over " + quantity(report->span, "s", 3) +
+                  " from t = " + quantity(report->time, "s", 4) + ", work of the run as it is = 1";
   look.hover = [&](const PlotTarget& target) -> std::string {
     if (!target.point) return {};
     const Trial& trial = report->trials[shown[target.point->series][target.point->index]];

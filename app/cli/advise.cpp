@@ -90,7 +90,8 @@ int advise_on(const AdviseOptions& options) {
     std::fprintf(stderr, "%s\n", result.last_attempt.failure.c_str());
     return exit_simulation_failed;
   }
-  TrialStart start{.scene = std::make_shared<const Scene>(simulation->scene()), .state = {}, .step = simulation->report().dt};
+  TrialStart start{
+      .scene = std::make_shared<const Scene>(simulation->scene()), .state = {}, .step = simulation->report().dt};
   std::ostringstream state;
   simulation->save_state(state);
   start.state = std::move(state).str();

@@ -2,8 +2,8 @@
 // of it, each with something changed, and are measured against a finer one.
 //
 // Errors. The reference goes on with the scene's own grid and basis, a fraction of its steps, and TR-BDF2 (the scene's
-// own integrator where that is explicit or quasi-static), and FLIP with a ratio of 1, whose transfers lose nothing however
-// many steps there are. The error of a trial is a bound, the sum of
+// own integrator where that is explicit or quasi-static), and FLIP with a ratio of 1, whose transfers lose nothing
+// however many steps there are. The error of a trial is a bound, the sum of
 //   - its distance from the reference, the root mean square over the mass [m], the largest at the ends of the quarters
 //     of the span (with long steps: at its end);
 //   - what the reference leaves open: its distance from one with steps of double length;
@@ -47,15 +47,16 @@ struct Trial {
 };
 
 struct AdviceReport {
-  double time = 0;                  ///< of the state at which all trials begin [s]
-  double span = 0;                  ///< how far they go [s]
-  double grid_open = 0;             ///< what the grid leaves open [m]
-  double reference_open = 0;        ///< what the reference leaves open [m]
-  std::string other_basis;          ///< that the grid was judged by; "": none came through
-  double resting = 0;               ///< share of the cells in which nothing moves, 0 to 1
-  std::vector<Trial> trials;        ///< the first one: as it is
-  std::vector<std::size_t> advice;  ///< trials worth doing: cheaper and as exact, or as cheap and more exact; best first
-  std::string why_none;             ///< nothing could be judged; "": it could
+  double time = 0;            ///< of the state at which all trials begin [s]
+  double span = 0;            ///< how far they go [s]
+  double grid_open = 0;       ///< what the grid leaves open [m]
+  double reference_open = 0;  ///< what the reference leaves open [m]
+  std::string other_basis;    ///< that the grid was judged by; "": none came through
+  double resting = 0;         ///< share of the cells in which nothing moves, 0 to 1
+  std::vector<Trial> trials;  ///< the first one: as it is
+  std::vector<std::size_t>
+      advice;            ///< trials worth doing: cheaper and as exact, or as cheap and more exact; best first
+  std::string why_none;  ///< nothing could be judged; "": it could
 };
 
 struct AdviceOptions {

@@ -24,8 +24,8 @@ namespace {
 constexpr double rest_threshold = 1e-2;
 /// More exact: by this factor, at no more work.
 constexpr double more_exact = 0.5;
-/// A trial is given up where it has cost this many times the work as it is: it would save nothing. Within a step no work
-/// is known: there the clock decides, with more patience, and for all of it where nothing is known yet.
+/// A trial is given up where it has cost this many times the work as it is: it would save nothing. Within a step no
+/// work is known: there the clock decides, with more patience, and for all of it where nothing is known yet.
 constexpr double hopeless = 1.5, patience = 4, least_patience = 2, longest_reference = 600;  // times, times, s, s
 /// Steps of the references, as parts of the scene's own.
 constexpr int fine_implicit = 4, fine_otherwise = 8;
@@ -225,8 +225,8 @@ class Advisor {
     }
     const int stops = changed.time.step * quarters <= report_.span * (1 + 1e-9) ? quarters : 1;
     const int nodes = find_basis(changed.grid.basis)->nodes_per_axis;
-    const double patient = most > 0 ? std::max(least_patience, patience * report_.trials.front().wall_ms / 1000)
-                                    : longest_reference;
+    const double patient =
+        most > 0 ? std::max(least_patience, patience * report_.trials.front().wall_ms / 1000) : longest_reference;
     const Watchdog watchdog(patient, cancel_);
     const Clock::time_point begin = Clock::now();
     Course course;

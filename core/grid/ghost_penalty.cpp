@@ -25,32 +25,49 @@ bool meets(const EdgePlanes& walls, long long from) {
 }  // namespace
 
 template <int D>
-void GhostPenalty<D>::build(const Plan<D>& plan, const Vector& lumped, double gamma) {
-  lines_.clear();
-  const auto count = static_cast<std::size_t>(plan.node_count());
-  next_.resize(count);
-  for (int axis = 0; axis < D; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    for (std::size_t i = 0; i < count; ++i) {
+void GhostPenalty<D>::find_full(const Plan<D>& plan, const Vector& lumped) {
+  full_ = lumped;
+  for (std::size_t a = 0; a < D; ++a) {
+    std::vector<std::int32_t>& next = next_[a];
+    next.resize(static_cast<std::size_t>(plan.node_count()));
+    for (std::size_t i = 0; i < next.size(); ++i) {
       std::array<long long, D> index = plan.node_indices()[i];
       ++index[a];
-      next_[i] = plan.find_node(index);
+      next[i] = plan.find_node(index);
     }
-    for (std::size_t i = 0; i < count; ++i) {
+    // Axis after axis: the heaviest of a box.
+    spread_ = full_;
+    for (std::size_t i = 0; i < next.size(); ++i) {
+      const auto here = static_cast<Eigen::Index>(i);
+      std::int32_t other = next[i];
+      for (int step = 0; step < 3 && other >= 0; ++step, other = next[at(other)]) {
+        spread_[here] = std::max(spread_[here], full_[other]);
+        spread_[other] = std::max(spread_[other], full_[here]);
+      }
+    }
+    full_.swap(spread_);
+  }
+}
+
+template <int D>
+void GhostPenalty<D>::build(const Plan<D>& plan, const Vector& lumped, double gamma) {
+  lines_.clear();
+  find_full(plan, lumped);
+  for (int axis = 0; axis < D; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    const std::vector<std::int32_t>& next = next_[a];
+    for (std::size_t i = 0; i < next.size(); ++i) {
+      if (meets(plan.edges(axis), plan.node_indices()[i][a])) continue;
       Line line{{static_cast<std::int32_t>(i), -1, -1, -1}, 0};
-      double heaviest = lumped[static_cast<Eigen::Index>(i)], lightest = heaviest;
-      bool whole = true;
-      for (std::size_t k = 1; k < 4 && whole; ++k) {
-        line.node[k] = next_[at(line.node[k - 1])];
+      bool any_light = false, whole = true;
+      for (std::size_t k = 0; k < 4 && whole; ++k) {
+        if (k > 0) line.node[k] = next[at(line.node[k - 1])];
         whole = line.node[k] >= 0;
         if (!whole) break;
-        const double m = lumped[line.node[k]];
-        heaviest = std::max(heaviest, m);
-        lightest = std::min(lightest, m);
+        any_light = any_light || lumped[line.node[k]] < light * full_[line.node[k]];
+        line.strength = std::max(line.strength, gamma * full_[line.node[k]]);
       }
-      if (!whole || !(lightest < light * heaviest) || meets(plan.edges(axis), plan.node_indices()[i][a])) continue;
-      line.strength = gamma * heaviest;
-      lines_.push_back(line);
+      if (whole && any_light) lines_.push_back(line);
     }
   }
 }
@@ -59,9 +76,11 @@ template <int D>
 void GhostPenalty<D>::add_product(const Vector& v, Vector& out) const {
   for (const Line& line : lines_) {
     Vec<D> jump = Vec<D>::Zero();
-    for (std::size_t k = 0; k < 4; ++k) jump += difference[k] * v.segment<D>(static_cast<Eigen::Index>(line.node[k]) * D);
+    for (std::size_t k = 0; k < 4; ++k)
+      jump += difference[k] * v.segment<D>(static_cast<Eigen::Index>(line.node[k]) * D);
     jump *= line.strength;
-    for (std::size_t k = 0; k < 4; ++k) out.segment<D>(static_cast<Eigen::Index>(line.node[k]) * D) += difference[k] * jump;
+    for (std::size_t k = 0; k < 4; ++k)
+      out.segment<D>(static_cast<Eigen::Index>(line.node[k]) * D) += difference[k] * jump;
   }
 }
 

@@ -3,8 +3,8 @@
 //   G = gamma m D^T D,  (D c)_i = -c_i + 3 c_{i+1} - 3 c_{i+2} + c_{i+3},
 // on third differences of the coefficients along the grid's lines through a light node ties such a spline to its
 // neighbours' extrapolation. It vanishes on quadratic fields, so it keeps momentum, angular momentum and the order
-// (Burman 2010, Comptes Rendus 348: the ghost penalty; Coombs 2023, IJNME 124: ghost stabilisation of the MPM). Along an
-// axis whose walls end the splines (core/grid/edges.hpp) lines that meet such a wall are left alone.
+// (Burman 2010, Comptes Rendus 348: the ghost penalty; Coombs 2023, IJNME 124: ghost stabilisation of the MPM). Along
+// an axis whose walls end the splines (core/grid/edges.hpp) lines that meet such a wall are left alone.
 #pragma once
 
 #include <array>
@@ -18,10 +18,10 @@ namespace pf {
 template <int D>
 class GhostPenalty {
  public:
-  /// A node is light where it has less than this part of the heaviest mass on the line of four.
+  /// A node is light where it has less than this part of the heaviest mass within three nodes of it along each axis.
   static constexpr double light = 0.6;
 
-  /// `lumped`: m_i, one a node [kg]; `gamma` > 0. m is the heaviest mass on the line.
+  /// `lumped`: m_i, one a node [kg]; `gamma` > 0. m is the heaviest mass about the line.
   void build(const Plan<D>& plan, const Vector& lumped, double gamma);
   void clear() { lines_.clear(); }
   std::size_t lines() const { return lines_.size(); }
@@ -35,12 +35,15 @@ class GhostPenalty {
   void assemble(double factor, BlockMatrix<D>& H) const;
 
  private:
+  void find_full(const Plan<D>& plan, const Vector& lumped);
+
   struct Line {
     std::array<std::int32_t, 4> node;
     double strength;  ///< gamma m [kg]
   };
   std::vector<Line> lines_;
-  std::vector<std::int32_t> next_;  ///< of each node along the axis at hand; -1: none is active
+  std::array<std::vector<std::int32_t>, D> next_;  ///< of each node along each axis; -1: none is active
+  Vector full_, spread_;                           ///< the heaviest mass about each node [kg]
 };
 
 extern template class GhostPenalty<2>;

@@ -13,12 +13,11 @@ TEST_SUITE("long") {
   TEST_CASE("a full mass holds at free edges with the ghost penalty") {
     // Without it this ends at t = .39 after many retries.
     const Study vortex = load_study(asset_path("verification") / "vortex.json");
-    const Scene scene = parse_scene(vortex.scene_text, "vortex",
-                                    std::vector<Edit>{{"/grid/basis", "quadratic_gimp"},
-                                                      {"/integrator", {{"type", "tr_bdf2"},
-                                                                       {"mass", "consistent"},
-                                                                       {"ghost_penalty", 0.2}}},
-                                                      {"/transfer", {{"type", "fmpm"}, {"order", 4}}}});
+    const Scene scene = parse_scene(
+        vortex.scene_text, "vortex",
+        std::vector<Edit>{{"/grid/basis", "quadratic_gimp"},
+                          {"/integrator", {{"type", "tr_bdf2"}, {"mass", "consistent"}, {"ghost_penalty", 0.2}}},
+                          {"/transfer", {{"type", "fmpm"}, {"order", 4}}}});
     const auto simulation = make_simulation(scene, {2});
     for (;;) {
       const StepReport& report = simulation->step();
