@@ -37,7 +37,7 @@ struct Keyed : Stage {
 
 using Check = void (*)(Keyed&, Action);
 
-template <bool ViewState::* shown>
+template <bool ViewState::*shown>
 void toggles(Keyed& stage, Action action) {
   ViewState& view = stage.context().view;
   const bool before = view.*shown;

@@ -30,6 +30,13 @@ inline void click_text(Stage& stage, const std::string& words, std::size_t nth =
   Hand(stage).click(*where);
 }
 
+/// The same once it is to be seen.
+inline void click_when_shown(Stage& stage, const std::string& words) {
+  INFO(words);
+  REQUIRE(stage.until([&] { return find_text(words).has_value(); }));
+  click_text(stage, words);
+}
+
 /// In the bar at the top: panels may have the same name.
 inline void click_menu(Stage& stage, const std::string& words) {
   const float bar = stage->layout().menu.bottom();
