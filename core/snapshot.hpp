@@ -2,6 +2,7 @@
 // the core's numerics. Buffers are pooled; only the requested fields are filled.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -62,12 +63,15 @@ struct Snapshot {
 
   // Particles, in the simulation's own order; arrays of `dimension` components are interleaved.
   std::size_t particles = 0;
-  std::vector<std::uint32_t> id;                      ///< stable; with gaps where particles were cut away
-  std::vector<std::uint16_t> body;                    ///< into SceneView::body_names
-  std::vector<std::uint16_t> material;                ///< into SceneView::material_names
-  std::vector<double> x;                              ///< [m]
-  std::vector<float> F;                               ///< dimension^2 each, column-major
-  std::vector<float> volume0;                         ///< V_p^0 [m^dimension]
+  std::vector<std::uint32_t> id;        ///< stable; with gaps where particles were cut away
+  std::vector<std::uint16_t> body;      ///< into SceneView::body_names
+  std::vector<std::uint16_t> material;  ///< into SceneView::material_names
+  std::vector<double> x;                ///< [m]
+  std::vector<float> F;                 ///< dimension^2 each, column-major
+  std::vector<float> volume0;           ///< V_p^0 [m^dimension]
+  /// Edges of the parallelepipeds that particles stood for at first [m], dimension^2 each, column-major, by id; null,
+  /// not so far, or zero: cubes. Of bodies that are sampled `fitted`.
+  std::shared_ptr<const std::vector<float>> domain;
   std::vector<float> v;                               ///< [m/s], if requested
   std::vector<double> X;                              ///< reference positions [m], if requested
   std::vector<float> stress;                          ///< Cauchy, xx yy zz xy yz xz each [Pa], if requested
@@ -93,6 +97,14 @@ struct Snapshot {
   Vec3 grab_at = Vec3::Zero();      ///< where the material is held [m]
   Vec3 grab_target = Vec3::Zero();  ///< where the mouse is [m]
   double grab_radius = 0;           ///< [m]
+
+  /// Of the particle with this id, column-major; null: a cube.
+  const float* domain_of(std::uint32_t of) const {
+    const std::size_t size = static_cast<std::size_t>(dimension) * static_cast<std::size_t>(dimension), at = of * size;
+    if (!domain || at + size > domain->size()) return nullptr;
+    const float* const edges = domain->data() + at;
+    return std::any_of(edges, edges + size, [](float e) { return e != 0; }) ? edges : nullptr;
+  }
 };
 
 }  // namespace pf

@@ -3,13 +3,15 @@
 #include <array>
 #include <cstddef>
 
+#include "render/particle_shape.hpp"
+
 namespace pf {
 
 namespace {
 
 struct Square {
   glm::vec2 x;
-  glm::vec4 F;  // columns
+  glm::mat2 F;
   float side, value;
 };
 constexpr std::array square_layout{gl::Attribute{0, 2, offsetof(Square, x)}, gl::Attribute{1, 4, offsetof(Square, F)},
@@ -28,10 +30,6 @@ bool as_splats(const Frame& frame) {
   return s.particles > very_many || side * frame.pixels_per_metre < few_pixels * static_cast<double>(frame.scale());
 }
 
-float determinant(const glm::vec4& F) {
-  return F.x * F.w - F.y * F.z;
-}
-
 }  // namespace
 
 ParticleLayer2D::ParticleLayer2D() : square_data_(sizeof(Square), square_layout, true) {}
@@ -45,11 +43,9 @@ void ParticleLayer2D::upload(const Frame& frame) {
   const bool has_F = s.F.size() >= 4 * s.particles;
   for (std::size_t p = 0; p < s.particles; ++p) {
     const glm::vec3 x = relative(component_vector(s.x, p, 2), anchor_);
-    const glm::vec4 F =
-        has_F ? glm::vec4(s.F[4 * p], s.F[4 * p + 1], s.F[4 * p + 2], s.F[4 * p + 3]) : glm::vec4(1, 0, 0, 1);
-    const float J = determinant(F), value = shown_value(frame, p);
-    const float side = p < s.volume0.size() ? std::sqrt(s.volume0[p]) : 0.5f * static_cast<float>(s.spacing);
-    if (!cheap_) squares.push_back({{x.x, x.y}, F, side, value});
+    const glm::mat2 F = has_F ? glm::mat2(s.F[4 * p], s.F[4 * p + 1], s.F[4 * p + 2], s.F[4 * p + 3]) : glm::mat2(1);
+    const float J = glm::determinant(F), value = shown_value(frame, p);
+    if (!cheap_) squares.push_back({{x.x, x.y}, mapped_by(s, p, F), side_of(s, p), value});
     if (!(J > 0)) marks.push_back({x, rgba8(frame.theme().inverted), 5, static_cast<float>(MarkStyle::cross)});
     if (frame.options.selected && p < s.id.size() && s.id[p] == *frame.options.selected)
       marks.push_back({x, rgba8(frame.theme().selection), 9, static_cast<float>(MarkStyle::ring)});

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "render/hidden.hpp"
+#include "render/particle_shape.hpp"
 
 namespace pf {
 
@@ -56,13 +57,15 @@ void ParticleLayer3D::upload(const Frame& frame) {
     const glm::vec3 x = relative(component_vector(s.x, p, 3), anchor_);
     const float* f = s.F.data() + 9 * p;
     const glm::mat3 F = has_F ? glm::mat3(f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7], f[8]) : glm::mat3(1);
-    const float side = p < s.volume0.size() ? std::cbrt(s.volume0[p]) : 0.5f * static_cast<float>(s.spacing);
+    const float side = side_of(s, p);
     const float value = shown_value(frame, p);
     const bool drawn = hidden.empty() || hidden[p] == 0;
     if (drawn && cheap_)
       points.push_back({x, 2 * unit_ball * side * std::cbrt(std::clamp(glm::determinant(F), 0.1f, 4.f)), value});
-    else if (drawn)
-      balls.push_back({x, F[0], F[1], F[2], unit_ball * side, value});
+    if (drawn && !cheap_) {
+      const glm::mat3 axes = mapped_by(s, p, F);
+      balls.push_back({x, axes[0], axes[1], axes[2], unit_ball * side, value});
+    }
     if (!(glm::determinant(F) > 0))
       marks.push_back({x, rgba8(frame.theme().inverted), 5, static_cast<float>(MarkStyle::cross)});
     if (frame.options.selected && p < s.id.size() && s.id[p] == *frame.options.selected)

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "render/camera.hpp"
+#include "render/particle_shape.hpp"
 
 namespace pf {
 
@@ -19,15 +20,15 @@ Vec3 position(const Snapshot& s, std::size_t p) {
 
 /// Half the side of the particle's reference cell, at least.
 double half_side(const Snapshot& s, std::size_t p) {
-  if (p >= s.volume0.size()) return 0.5 * s.spacing;
-  const double v = s.volume0[p];
-  return 0.5 * (s.dimension == 2 ? std::sqrt(v) : std::cbrt(v));
+  return 0.5 * static_cast<double>(side_of(s, p));
 }
 
 /// Is `offset` from the particle's centre inside its square mapped by F?
 bool in_mapped_square(const Snapshot& s, std::size_t p, const Vec<2>& offset) {
   if (s.F.size() < 4 * (p + 1)) return offset.cwiseAbs().maxCoeff() <= half_side(s, p);
-  const Mat<2> F = Eigen::Map<const Eigen::Matrix2f>(s.F.data() + 4 * p).cast<double>();
+  const float* const f = s.F.data() + 4 * p;
+  const glm::mat2 mapped = mapped_by(s, p, glm::mat2(f[0], f[1], f[2], f[3]));
+  const Mat<2> F = Eigen::Map<const Eigen::Matrix2f>(&mapped[0][0]).cast<double>();
   const double J = F(0, 0) * F(1, 1) - F(0, 1) * F(1, 0);
   if (std::abs(J) < 1e-12) return false;
   const Vec<2> X(F(1, 1) * offset.x() - F(0, 1) * offset.y(), -F(1, 0) * offset.x() + F(0, 0) * offset.y());

@@ -70,7 +70,8 @@ void draw_curves(Painter& painter, const ViewMap& map, const Vec3& x, const std:
     ShapeCurves curves;
     curves.basis = basis;
     curves.s = x[a] / dx;
-    if (const ParticleLook* look = looked_at(context, x)) curves.domain = domain_along(context.scene, look->state, a);
+    if (const ParticleLook* look = looked_at(context, x))
+      curves.domain = domain_along(context.scene, look->state, a, context.snapshot->domain_of(look->state.id));
     curves.em = 0.9F * em;
     curves.theme = context.view.theme;
     curves.values = false;

@@ -42,18 +42,20 @@ void weights_over(const BasisInfo& basis, double s, const std::vector<DomainPiec
 
 }  // namespace
 
-std::vector<DomainPiece> domain_along(const Scene& scene, const ParticleState& particle, int axis) {
+std::vector<DomainPiece> domain_along(const Scene& scene, const ParticleState& particle, int axis, const float* rest) {
   const BasisInfo* basis = find_basis(scene.grid.basis);
   if (basis == nullptr || !basis->averaged() || particle.body >= scene.bodies.size()) return {};
+  const double dx = scene.grid.spacing;
   const Body& body = scene.bodies[particle.body];
-  const double l_0 = body.sampling == "lattice"
-                         ? 1.0 / body.particles_per_axis
-                         : std::pow(particle.volume0, 1.0 / scene.dimension) / scene.grid.spacing;
+  const double l_0 = body.sampling == "lattice" ? 1.0 / body.particles_per_axis
+                                                : std::pow(particle.volume0, 1.0 / scene.dimension) / dx;
   if (scene.dimension == 3) {
-    const Mat<3> edge = l_0 * particle.F;
+    Mat<3> edge = l_0 * particle.F;
+    if (rest) edge = particle.F * Eigen::Map<const Eigen::Matrix3f>(rest).cast<double>() / dx;
     return domain_pieces<3>(edge.data(), axis);
   }
-  const Mat<2> edge = l_0 * particle.F.topLeftCorner<2, 2>();
+  Mat<2> edge = l_0 * particle.F.topLeftCorner<2, 2>();
+  if (rest) edge = particle.F.topLeftCorner<2, 2>() * Eigen::Map<const Eigen::Matrix2f>(rest).cast<double>() / dx;
   return domain_pieces<2>(edge.data(), axis);
 }
 
@@ -113,7 +115,8 @@ void shape_plot(const AppContext& context, const ParticleState& particle) {
     ShapeCurves curves;
     curves.basis = basis;
     curves.s = particle.x[a] / context.scene.grid.spacing;
-    curves.domain = domain_along(context.scene, particle, a);
+    const float* const rest = context.snapshot ? context.snapshot->domain_of(particle.id) : nullptr;
+    curves.domain = domain_along(context.scene, particle, a, rest);
     curves.em = em();
     curves.theme = context.view.theme;
     long long base = 0;

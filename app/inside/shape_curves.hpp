@@ -13,8 +13,10 @@ namespace pf::app {
 
 /// N_i(s) of the node i, s = x/dx. Of an averaged basis its mean over the domain whose pieces are given (none: N_i).
 double shape_value(const BasisInfo& basis, double s, long long node, const std::vector<DomainPiece>& domain = {});
-/// Of a particle of a scene with an averaged basis: its domain as the step sees it, along an axis; else none.
-std::vector<DomainPiece> domain_along(const Scene& scene, const ParticleState& particle, int axis);
+/// Of a particle of a scene with an averaged basis: its domain as the step sees it, along an axis; else none. `rest`:
+/// Snapshot::domain_of the particle.
+std::vector<DomainPiece> domain_along(const Scene& scene, const ParticleState& particle, int axis,
+                                      const float* rest = nullptr);
 
 struct ShapeCurves {
   const BasisInfo* basis = nullptr;

@@ -62,7 +62,7 @@ constexpr std::array rules{
          [](const Scene& s, std::string_view) { return s.integrator.type == "generalized_alpha"; }},
     Rule{"/integrator/ghost_penalty", "",
          [](const Scene& s, std::string_view) {
-           return has_inertia(s) && (s.integrator.mass == "consistent" || s.transfer.velocity_mass == "consistent");
+           return !has_inertia(s) || s.integrator.mass == "consistent" || s.transfer.velocity_mass == "consistent";
          }},
     Rule{"/integrator/mass", "", [](const Scene& s, std::string_view) { return has_inertia(s) && !explicit_step(s); }},
     Rule{"/solver/", "", [](const Scene& s, std::string_view) { return !explicit_step(s); }},

@@ -1,6 +1,7 @@
 // A term of the incremental potential E (THEORY T4) as a function of the node displacements u = x^ - x.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "core/math/block_matrix.hpp"
@@ -30,7 +31,9 @@ class Energy {
   /// gradient() whatever u is [N]. Returns K [J] where value() E is as exact as rounding of sqrt(2 K E): strains are
   /// known to so many digits after the point.
   virtual double rounding(Vector& /*level*/) { return 0; }
-  /// All of d2E/du2 is added to H, whose pattern holds every pair of nodes that share a cell.
+  /// Calls add(i, j), i >= j, for each pair of nodes beside those that share a cell that assemble() adds to.
+  virtual void far_pairs(const std::function<void(std::int32_t, std::int32_t)>& /*add*/) const {}
+  /// All of d2E/du2 is added to H, whose pattern holds every pair of nodes that share a cell, and the far pairs.
   virtual void assemble(BlockMatrix<D>& H) = 0;
   /// The same for a preconditioner: node i is row row_of[i] of H. False, and nothing is added, where the term's
   /// diagonal blocks say enough.

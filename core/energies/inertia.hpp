@@ -32,6 +32,7 @@ class Inertia final : public Energy<D> {
   void prepare_hessian(const Vector&, const Projected&) override {}
   void hessian_product(const Vector& p, Vector& Hp) override;
   void diagonal(std::vector<Mat<D>>& blocks) override;
+  void far_pairs(const std::function<void(std::int32_t, std::int32_t)>& add) const override { mass_.far_pairs(add); }
   void assemble(BlockMatrix<D>& H) override;
   /// scale M (x~ - x): what Newton's tolerance is measured against [N].
   void free_flight_force(Vector& f) const;

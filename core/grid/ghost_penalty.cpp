@@ -91,18 +91,21 @@ void GhostPenalty<D>::add_diagonal(Vector& diagonal) const {
 }
 
 template <int D>
+void GhostPenalty<D>::pairs(const std::function<void(std::int32_t, std::int32_t)>& add) const {
+  for (const Line& line : lines_)
+    for (std::size_t r = 0; r < 4; ++r)
+      for (std::size_t c = 0; c <= r; ++c)
+        add(std::max(line.node[r], line.node[c]), std::min(line.node[r], line.node[c]));
+}
+
+template <int D>
 void GhostPenalty<D>::assemble(double factor, BlockMatrix<D>& H) const {
   for (const Line& line : lines_)
     for (std::size_t r = 0; r < 4; ++r)
       for (std::size_t c = 0; c <= r; ++c) {
         const double value = factor * line.strength * difference[r] * difference[c];
         const std::int32_t i = line.node[r], j = line.node[c];
-        if (Mat<D>* const block = H.find(std::max(i, j), std::min(i, j))) {
-          block->diagonal().array() += value;
-        } else {
-          H.at(i, i).diagonal().array() += std::abs(value);
-          H.at(j, j).diagonal().array() += std::abs(value);
-        }
+        H.at(std::max(i, j), std::min(i, j)).diagonal().array() += value;
       }
 }
 

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "core/grid/plan.hpp"
@@ -30,8 +31,9 @@ class GhostPenalty {
   void add_product(const Vector& v, Vector& out) const;
   /// One entry a node.
   void add_diagonal(Vector& diagonal) const;
-  /// H += factor G. What has no place in the pattern of H is added to both diagonals in absolute value: H is then a
-  /// little more than G, and as definite.
+  /// Calls add(i, j), i >= j, for each pair of nodes that G couples.
+  void pairs(const std::function<void(std::int32_t, std::int32_t)>& add) const;
+  /// H += factor G; H has a place for each of the pairs.
   void assemble(double factor, BlockMatrix<D>& H) const;
 
  private:

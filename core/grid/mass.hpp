@@ -46,6 +46,10 @@ class MassMatrix {
   /// body's edge); b = sum m_p v_p N_i lies in its range, so the iteration converges, and what M does not see keeps the
   /// start v0. Returns the iterations; `residual` is relative, scaled.
   int solve(const Vector& b, Vector& v, double& residual) const;
+  /// As Energy::far_pairs.
+  void far_pairs(const std::function<void(std::int32_t, std::int32_t)>& add) const {
+    if (consistent_) memory_.ghost.pairs(add);
+  }
   /// H += factor M.
   void assemble(double factor, BlockMatrix<D>& H) const;
   double dot(const Vector& a, const Vector& b) const;

@@ -231,8 +231,13 @@ void Plan<D>::average(const Particles<D>& particles, int i, Wide<W>* w, int& shr
   Wide<W> l_0{};
   for (int lane = 0; lane < batch.count; ++lane) {
     const std::size_t q = p + static_cast<std::size_t>(lane), body = particles.body[q];
-    const double known = body < domain_edge_.size() ? domain_edge_[body] : 0;
+    const double known = body < domains_.edge_of_body.size() ? domains_.edge_of_body[body] : 0;
     l_0[lane] = known > 0 ? known : std::pow(particles.volume0[q], 1.0 / D);
+    const Mat<D>* const own = domain_of(particles.id[q]);
+    if (!own) continue;
+    l_0[lane] = 1;
+    const Mat<D> e = particles.F[q] * *own;
+    for (int k = 0; k < D * D; ++k) edge[k][lane] = e(k);
   }
   for (Wide<W>& e : edge) e *= l_0 * inverse_spacing_;
   domain_weights<D>(*basis_, place_.data() + static_cast<std::ptrdiff_t>(i) * D, edge, batch.count, w, shrunk);

@@ -63,9 +63,12 @@ class Plan {
   /// The plan of particles that have moved as foreseen: they become what `moved` holds, in the order foreseen.
   void follow(Particles<D>& particles, const Motion<D>& moved, Parallel& parallel);
 
-  /// Edges of the cubes that the particles of each body stood for at first [m], for bases that average over domains;
-  /// where there is none, or it is 0, the cube is as large as the particle. For the next build.
-  void set_domains(std::vector<double> edge_of_body) { domain_edge_ = std::move(edge_of_body); }
+  /// What the particles stood for at first, for bases that average over domains. For the next build.
+  struct Domains {
+    std::vector<double> edge_of_body;  ///< of cubes [m]; none, or 0: as large as the particle
+    std::vector<Mat<D>> of_id;         ///< edges of a parallelepiped as columns [m]; none, or zero: a cube
+  };
+  void set_domains(Domains domains) { domains_ = std::move(domains); }
   /// Walls that are planes of nodes, of each axis; for the next build. Ignored while a particle is more than half a
   /// cell behind one, which edges_left() then tells.
   void set_edges(const std::array<EdgePlanes, D>& edges) { wanted_edges_ = edges; }
@@ -161,7 +164,11 @@ class Plan {
   std::ptrdiff_t stride_ = 0;   ///< kept weights a batch; 0: none are kept
   std::array<EdgePlanes, D> wanted_edges_{}, edges_{};
   bool ended_ = false, edges_left_ = false;
-  std::vector<double> domain_edge_;
+  Domains domains_;
+  const Mat<D>* domain_of(std::uint32_t id) const {
+    const bool own = id < domains_.of_id.size() && !domains_.of_id[id].isZero(0);
+    return own ? &domains_.of_id[id] : nullptr;
+  }
   int shrunk_ = 0;
   Keys keys_, next_keys_;
   std::vector<std::uint64_t> key_;  ///< of each particle, ascending

@@ -65,6 +65,7 @@ struct StepProblem {
   double kick = 0;               ///< explicit: how long forces change the velocities [s] (StepChoice); 0: dt
   double* error_rate = nullptr;  ///< out, where it is wanted: the local error in position, rms over mass, over dt [m/s]
   StepObserver* observer = nullptr;  ///< looks on; may be null
+  Energy<D>* ties = nullptr;         ///< of light nodes; may be null
 };
 
 /// How a step on the grid ended.

@@ -94,6 +94,8 @@ void IncrementalPotential<D>::make_pattern(BlockMatrix<D>& H) const {
         }
     }
   }
+  for (const Energy<D>* term : terms())
+    term->far_pairs([&](std::int32_t i, std::int32_t j) { columns[static_cast<std::size_t>(i)].push_back(j); });
   H.row_start.assign(1, 0);
   H.column.clear();
   for (std::vector<std::int32_t>& row : columns) {

@@ -88,9 +88,10 @@ NewtonResult minimise_stage(const StepProblem<D>& problem, const Stage<D>& stage
   ExternalWork<D> external(stage.inner ? memory.force : stage.loads);
   Friction<D> friction(set);
   memory.terms.clear();
-  for (Energy<D>* term : {stage.scale > 0 ? static_cast<Energy<D>*>(&inertia) : nullptr,
-                          static_cast<Energy<D>*>(&problem.elastic), static_cast<Energy<D>*>(&external),
-                          static_cast<Energy<D>*>(problem.grab), rubs ? static_cast<Energy<D>*>(&friction) : nullptr})
+  for (Energy<D>* term :
+       {stage.scale > 0 ? static_cast<Energy<D>*>(&inertia) : nullptr, static_cast<Energy<D>*>(&problem.elastic),
+        static_cast<Energy<D>*>(&external), static_cast<Energy<D>*>(problem.grab), problem.ties,
+        rubs ? static_cast<Energy<D>*>(&friction) : nullptr})
     if (term) memory.terms.push_back(term);
   inertia.free_flight_force(memory.free_flight);
   const std::array<const Vector*, 2> reference{&memory.free_flight, &stage.loads};

@@ -91,6 +91,7 @@ class BatchLaw final : public Law<D> {
   double wave_speed(double density) const override {
     return std::sqrt((model_.lame.lambda + 2 * model_.lame.mu) / density);
   }
+  double shear_modulus() const override { return model_.lame.mu; }
 
  private:
   static constexpr std::size_t width = Lanes<Pack>::count;

@@ -74,6 +74,8 @@ class Law {
   }
   /// Speed of pressure waves in the undeformed material, sqrt((lambda + 2 mu)/rho) [m/s].
   virtual double wave_speed(double density) const = 0;
+  /// mu of the undeformed material [Pa].
+  virtual double shear_modulus() const = 0;
 
   /// Whether particles of a cell share their change of volume in a step (F-bar, core/energies/volume_patches.hpp): the
   /// material's choice. The functions above know nothing of it.

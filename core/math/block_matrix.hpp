@@ -19,12 +19,6 @@ struct BlockMatrix {
   void set_zero() { std::fill(block.begin(), block.end(), Mat<D>::Zero()); }
   /// The block (row, col), col <= row, which must be in the pattern.
   Mat<D>& at(std::int32_t row, std::int32_t col) { return block[place(row, col)]; }
-  /// The same; nullptr where it is not in the pattern.
-  Mat<D>* find(std::int32_t row, std::int32_t col) {
-    const std::size_t k = place(row, col);
-    return k < static_cast<std::size_t>(row_start[static_cast<std::size_t>(row) + 1]) && column[k] == col ? &block[k]
-                                                                                                          : nullptr;
-  }
 
  private:
   std::size_t place(std::int32_t row, std::int32_t col) const {

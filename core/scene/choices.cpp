@@ -24,6 +24,8 @@ constexpr Choice mass_table[] = {
 };
 constexpr Choice sampling_table[] = {
     {"lattice", "Lattice", "regular, aligned with the grid: most accurate at the start"},
+    {"fitted", "Fitted to the surface",
+     "lattice cells cut by the surface: the body's edge is no staircase, particles there are smaller"},
     {"jittered", "Jittered", "lattice points moved at random (seed): no preferred direction"},
     {"poisson_disc", "Poisson disc", "random with a least distance (seed): even and irregular"},
 };

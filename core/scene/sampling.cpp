@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 
+#include "core/scene/sampling_fitted.hpp"
 #include "core/scene/sampling_lattice.hpp"
 #include "core/scene/scene_io.hpp"
 
@@ -41,15 +43,21 @@ Samples sample_body(const Scene& scene, std::size_t index) {
   if (!lattice.representable())
     refuse(index, "a shape too far from the origin for particles " + spacing,
            "coordinates below 1e15 particle spacings");
-  Samples samples;
-  samples.X = positions(body, *solid, lattice);
+  const bool fitted = body.sampling == "fitted";
+  Samples samples = fitted ? fitted_points(*solid, lattice) : Samples{positions(body, *solid, lattice), {}, {}};
   if (samples.X.empty())
     refuse(index, "no particle lies in the shape",
            "a shape that holds some of the points " + spacing + "; a finer grid or more particles_per_axis");
   const double measure = solid->measure(lattice.spacing());
-  samples.volume = measure / static_cast<double>(samples.X.size());
-  if (!(samples.volume > 1e-9 * lattice.cell_measure()))
+  const double mean = measure / static_cast<double>(samples.X.size());
+  if (!(mean > 1e-9 * lattice.cell_measure()))
     refuse(index, "a shape with measure " + number(measure), scene.dimension == 2 ? "an area > 0" : "a volume > 0");
+  if (!fitted) {
+    samples.volume.assign(samples.X.size(), mean);
+    return samples;
+  }
+  const double sum = std::accumulate(samples.volume.begin(), samples.volume.end(), 0.0);
+  for (double& V : samples.volume) V *= measure / sum;
   return samples;
 }
 
@@ -59,9 +67,10 @@ double estimated_particles(const Scene& scene, std::size_t index) {
   const Bounds bounds = solid->bounds();
   if (!bounds.min.allFinite() || !bounds.max.allFinite()) return std::numeric_limits<double>::infinity();
   const ParticleLattice lattice(scene.grid.spacing, body.particles_per_axis, scene.dimension, bounds);
+  const double more = body.sampling == "fitted" ? 2 : 1;  // cells are cut at both ends
   double within_bounds = 1;
   for (int a = 0; a < scene.dimension; ++a)
-    within_bounds *= std::floor((bounds.max[a] - bounds.min[a]) / lattice.spacing()) + 1;
+    within_bounds *= std::floor((bounds.max[a] - bounds.min[a]) / lattice.spacing()) + more;
   // Without a bound on distances all points within the bounds are looked at; and few are not worth a closer look.
   if (!solid->distance_is_bound() || within_bounds < 1e5) return within_bounds;
   // What a body of that measure holds, and a layer at its surface: a few times that of its bounds, unless it is jagged.

@@ -8,8 +8,10 @@
 namespace pf {
 
 struct Samples {
-  std::vector<Vec3> X;  ///< reference positions; z = 0 in 2D
-  double volume = 0;    ///< V_p^0 of each: uniform within a body, sum = the shape's measure
+  std::vector<Vec3> X;         ///< reference positions; z = 0 in 2D
+  std::vector<double> volume;  ///< V_p^0 of each [m^d]; sum = the shape's measure, uniform unless fitted
+  /// Edges of the parallelepiped that each stands for [m], as columns (core/grid/domain.hpp); empty: cubes.
+  std::vector<Mat3> domain;
 };
 
 /// Throws InputError naming /bodies/`index` when no point lies in the shape.

@@ -71,7 +71,7 @@ struct TimeSettings {
 struct IntegratorSettings {
   std::string type = "backward_euler";
   std::string mass = "lumped";   ///< inertia mass
-  double ghost_penalty = 0;      ///< of a consistent mass, either one
+  double ghost_penalty = 0;      ///< of a consistent mass, either one, or of a quasi-static step
   double spectral_radius = 0.8;  ///< of generalised-alpha
   bool operator==(const IntegratorSettings&) const = default;
 };

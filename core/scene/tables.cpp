@@ -101,8 +101,8 @@ const Table& integrator_table() {
         .live()
         .help(
             "Ties nodes at free edges that hold little mass to their neighbours, so that the consistent mass (of "
-            "inertia "
-            "or transfer) is safe there; .05 to .5 is usual, 0 is none.");
+            "inertia or transfer) is safe there, and quasi-static steps, which no inertia holds; .01 to .5 is usual, 0 "
+            "is none.");
     t.number(&IntegratorSettings::spectral_radius, "spectral_radius", "Spectral radius", "")
         .at_least(0)
         .at_most(1)

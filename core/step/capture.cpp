@@ -84,6 +84,7 @@ void SimulationOf<D>::capture(const SnapshotRequest& request, Snapshot& into) co
     for (std::size_t k = 0; k < D * D; ++k) into.F[p * D * D + k] = static_cast<float>(particles_.F[p].data()[k]);
     into.volume0[p] = static_cast<float>(particles_.volume0[p]);
   }
+  into.domain = domains_shown_;
   into.v.clear();
   if (request.velocities)
     for (std::size_t p = 0; p < n; ++p)

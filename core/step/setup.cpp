@@ -48,7 +48,7 @@ SimulationOf<D>::SimulationOf(const Scene& scene, const SimulationOptions& optio
   if (known_.known()) known_.set_initial_state(particles_);
   follow_probes({});
   make_control();
-  plan_.set_domains(domain_edges());
+  plan_.set_domains({domain_edges(), domain_of_id_});
   plan_.set_edges(edge_planes(scene_, particles_));
   build_plan_or_throw();
   const FeasibleSet<D> set = conditions_.at(plan_, 0, 0);  // refuses contradictions before the first step
@@ -84,20 +84,28 @@ void SimulationOf<D>::add_body(std::size_t index, const Samples& samples) {
   const std::size_t material = material_index(scene_, body.material);
   const FormulaField<D> velocity(body.velocity, scene_.constants, mask_reference);
   const bool carried = !particles_.a.empty();
-  for (const Vec3& full : samples.X) {
-    const Vec<D> X = full.head<D>();
+  if (!samples.domain.empty()) domain_of_id_.resize(came_, Mat<D>::Zero());
+  for (std::size_t k = 0; k < samples.X.size(); ++k) {
+    const Vec<D> X = samples.X[k].head<D>();
+    if (!samples.domain.empty()) domain_of_id_.push_back(samples.domain[k].topLeftCorner<D, D>());
     particles_.X.push_back(X);
     particles_.x.push_back(X);
     particles_.v.push_back(velocity(X, X, 0));
     particles_.F.push_back(Mat<D>::Identity());
     particles_.C.push_back(Mat<D>::Zero());
     if (carried) particles_.a.push_back(Vec<D>::Zero());
-    particles_.mass.push_back(scene_.materials[material].density * samples.volume);
-    particles_.volume0.push_back(samples.volume);
+    particles_.mass.push_back(scene_.materials[material].density * samples.volume[k]);
+    particles_.volume0.push_back(samples.volume[k]);
     particles_.id.push_back(came_++);
     particles_.body.push_back(static_cast<std::uint16_t>(index));
     particles_.material.push_back(static_cast<std::uint16_t>(material));
   }
+  if (samples.domain.empty()) return;
+  auto shown = std::make_shared<std::vector<float>>();
+  shown->reserve(domain_of_id_.size() * D * D);
+  for (const Mat<D>& domain : domain_of_id_)
+    for (int k = 0; k < D * D; ++k) shown->push_back(static_cast<float>(domain(k)));
+  domains_shown_ = std::move(shown);
 }
 
 template <int D>
@@ -234,7 +242,7 @@ bool SimulationOf<D>::apply(const Scene& scene) {
   for (std::size_t k = bodies; k < scene.bodies.size(); ++k) add_body(k, coming[k - bodies]);
   if (more || looks) view_ = std::make_shared<SceneView>(make_scene_view(scene_));
   if (more) {
-    plan_.set_domains(domain_edges());
+    plan_.set_domains({domain_edges(), domain_of_id_});
     plan_.set_edges(edge_planes(scene_, particles_));
     build_plan_or_throw();
   }

@@ -103,6 +103,8 @@ class SimulationOf final : public Simulation {
   double expected_iterations(double dt) const;
   double weigh(const Work& work) const;
   MassKind inertia_mass() const { return {scene_.integrator.mass == "consistent", scene_.integrator.ghost_penalty}; }
+  /// Finds what light_nodes_ ties; false where nothing is, or inertia holds them.
+  bool tie_light_nodes(const StepChoice& choice);
   std::unique_ptr<StepControl> new_control() const;
   void make_control();
   Integrator<D>& integrator_of(const StepChoice& choice);
@@ -188,8 +190,11 @@ class SimulationOf final : public Simulation {
   double grab_stiffness_ = 0;
 
   bool ledger_ = false;
-  double edited_energy_ = 0;  ///< what edits changed the energy by since the last step [J]
-  std::uint32_t came_ = 0;    ///< particles that there have been: ids are below it
+  double edited_energy_ = 0;          ///< what edits changed the energy by since the last step [J]
+  std::uint32_t came_ = 0;            ///< particles that there have been: ids are below it
+  GhostPenalty<D> light_nodes_;       ///< of a step without inertia
+  std::vector<Mat<D>> domain_of_id_;  ///< of bodies that are fitted; empty where none is (Plan::Domains)
+  std::shared_ptr<const std::vector<float>> domains_shown_;  ///< the same for snapshots
   StrokeSums strokes_;
   double stroked_energy_ = 0;            ///< what strokes changed since the last step [J]
   Vec3 stroked_angular_ = Vec3::Zero();  ///< [kg m^2/s]

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <tuple>
 
+#include "core/energies/ghost_stiffness.hpp"
 #include "core/energies/volume_patches.hpp"
 #include "core/step/balance.hpp"
 #include "core/step/energy_ledger.hpp"
@@ -148,29 +149,6 @@ void SimulationOf<D>::carry_acceleration() {
   for (std::size_t p = 0; p < gained.size(); ++p) particles_.a[p] += gained[p];
 }
 
-template <int D>
-void SimulationOf<D>::tell_of_blend(const MassMatrix<D>& M, StepReport& report) {
-  if (M.blend() > 0 && !told_of_blend_)
-    report.warnings.push_back("The consistent mass matrix is singular (" + std::to_string(particles_.size()) +
-                              " particles, " + std::to_string(plan_.node_count()) + " nodes): blended with " +
-                              number(100 * M.blend()) + " % of the lumped one. More particles a cell avoid this.");
-  told_of_blend_ = M.blend() > 0;
-}
-
-template <int D>
-void SimulationOf<D>::tell_of_plan(StepReport& report) {
-  if (plan_.shrunk_domains() > 0 && !told_of_domains_)
-    report.warnings.push_back(std::to_string(plan_.shrunk_domains()) +
-                              " particles' domains have become larger than a cell: they are averaged over the part "
-                              "within half a cell of their centre. More particles a cell avoid this.");
-  if (plan_.edges_left() && !told_of_edges_)
-    report.warnings.push_back(
-        "Particles are more than half a cell behind a wall: there is no boundary correction on its axis until they are "
-        "back.");
-  told_of_domains_ = plan_.shrunk_domains() > 0;
-  told_of_edges_ = plan_.edges_left();
-}
-
 /// What the stages of one attempt ask for.
 template <int D>
 class SimulationOf<D>::Stages final : public StepConditions<D> {
@@ -217,6 +195,8 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
   ElasticEnergy<D> elastic(plan_, particles_, laws_, parallel_, work_, &elastic_memory_);
   std::optional<GrabSpring<D>> spring;
   if (grab_) spring.emplace(plan_, particles_, held_, Vec<D>(grab_->to.head<D>()), grab_stiffness_);
+  std::optional<GhostStiffness<D>> ties;
+  if (tie_light_nodes(choice)) ties.emplace(light_nodes_);
   const bool adaptive = control_->adaptive();
   if (!linear_ || choice.implicit) choose_solver(adaptive ? dt : scene_.time.step);
   linear_->new_step();
@@ -243,7 +223,8 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
                                grid_,
                                choice.kick,
                                adaptive ? &outcome.error_rate : nullptr,
-                               recorder ? &*recorder : nullptr};
+                               recorder ? &*recorder : nullptr,
+                               ties ? &*ties : nullptr};
   StepResult result = integrator.advance(problem);
   NewtonResult& solved = result.newton;
   if (recorder) record_ = recorder->solved(solved.iterations);

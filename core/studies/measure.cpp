@@ -226,7 +226,7 @@ class Examiner final : public RunObserver {
   void on_state(const Simulation& simulation) override {
     const Balance& balance = simulation.report().balance;
     if (const std::vector<ProbeReading> probes = simulation.probes(); !probes.empty() && probes.front().probe == 0)
-      probe_.add(simulation.time(), probes.front().x);
+      probe_.add(simulation.time(), place_of(probes.front()));
     if (!ledger_) {
       const std::vector<ParticleState> particles = simulation.particles();
       ledger_.emplace(scene_, particles, balance,
@@ -254,6 +254,10 @@ class Examiner final : public RunObserver {
 
  private:
   static constexpr double nothing = 1e-6;  ///< of the energy at play
+  /// Where the point is that a probe was put at: its particle is only the nearest one.
+  Vec3 place_of(const ProbeReading& reading) const {
+    return reading.x + reading.F * (scene_.probes[reading.probe].at - reading.X);
+  }
   void compare(const Simulation& simulation, int k) {
     const std::vector<ParticleState> particles = simulation.particles();
     noise_->add(particles);

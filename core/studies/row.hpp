@@ -31,7 +31,8 @@ struct StudyRow {
   double energy_change = not_measured;  ///< the same with its sign, at the last time of which it is known
   double momentum_drift = not_measured, angular_drift = not_measured;  ///< share of what moves
   double stress_noise = not_measured, velocity_noise = not_measured;   ///< share of the rms
-  /// Displacement of the first probe at the end, from where it was at first [m].
+  /// Displacement at the end of the point that the first probe was put at, as its particle's motion carries it: x_p +
+  /// F_p (at - X_p), from where that was at first [m].
   double probe_ux = not_measured, probe_uy = not_measured, probe_uz = not_measured;
   double probe_period = not_measured;  ///< of its swing, along the axis on which it moves most [s]
   double steps = 0, newton_iterations = 0, linear_iterations = 0, retries = 0;

@@ -20,7 +20,7 @@ double CellCut::measure(const Vec3& min, const Vec3& size, const Values& values)
   const int n = 1 << set_.dimension;
   const auto inside = std::count_if(values.begin(), values.begin() + n, [](double v) { return v < 0; });
   if (inside == 0) return 0;
-  if (inside == n) return box_measure(size, set_.dimension);
+  if (inside == n) return whole(min, size);
   min_ = min;
   size_ = size;
   inside_ = area_ = 0;
@@ -37,6 +37,11 @@ double CellCut::measure(const Vec3& min, const Vec3& size, const Values& values)
   const double length = normal_.norm();
   if (surface_ && area_ > 0 && length > 0) surface_->push_back({moment_ / area_, normal_ / length, area_});
   return inside_;
+}
+
+double CellCut::whole(const Vec3& min, const Vec3& size) {
+  if (moments_) moments_->add_box(min, size, set_.dimension);
+  return box_measure(size, set_.dimension);
 }
 
 Vec3 CellCut::at(const Corner& c) const {
@@ -72,17 +77,17 @@ Vec3 CellCut::find_crossing(const Corner& in, const Corner& out) const {
 void CellCut::triangle(std::array<Corner, 3> c) {
   const auto first_outside = std::stable_partition(c.begin(), c.end(), [](const Corner& k) { return k.inside(); });
   const auto inside = first_outside - c.begin();
-  const double whole = triangle_area(at(c[0]), at(c[1]), at(c[2]));
-  if (inside == 0 || inside == 3) {
-    inside_ += inside == 0 ? 0 : whole;
-    return;
-  }
+  if (inside == 0) return;
+  const Vec3 a = at(c[0]), b = at(c[1]), d = at(c[2]);
+  const double whole = triangle_area(a, b, d);
+  if (inside == 3) return add_inside(whole, a, b, d);
   const bool one = inside == 1;
-  const Vec3 tip = at(one ? c[0] : c[2]);
+  const Vec3 tip = one ? a : d;
   const Vec3 p = one ? crossing(c[0], c[1]) : crossing(c[0], c[2]);
   const Vec3 q = one ? crossing(c[0], c[2]) : crossing(c[1], c[2]);
   const double corner = triangle_area(tip, p, q);
-  inside_ += one ? corner : whole - corner;
+  if (!one) add_inside(whole, a, b, d);
+  add_inside(one ? corner : -corner, tip, p, q);
   const Vec3 line = q - p, normal(line.y(), -line.x(), 0);
   add_piece(0.5 * (p + q), (p - tip).dot(normal) * (one ? 1 : -1) < 0 ? Vec3(-normal) : normal);
 }
@@ -91,13 +96,16 @@ void CellCut::tetrahedron(std::array<Corner, 4> c) {
   const auto first_outside = std::stable_partition(c.begin(), c.end(), [](const Corner& k) { return k.inside(); });
   const auto inside = first_outside - c.begin();
   const double whole = size_.prod() / 6;
-  if (inside == 0 || inside == 4) {
-    inside_ += inside == 0 ? 0 : whole;
+  if (inside == 0) return;
+  if (inside == 4) {
+    add_inside(whole, at(c[0]), at(c[1]), at(c[2]), at(c[3]));
   } else if (inside == 2) {
     const Vec3 p = crossing(c[0], c[2]), q = crossing(c[0], c[3]), r = crossing(c[1], c[2]), s = crossing(c[1], c[3]);
     // The wedge between the inner edge 0-1 and the quadrilateral p q s r.
-    const Vec3 tip = at(c[0]);
-    inside_ += tet_volume(tip, p, q, s) + tet_volume(tip, p, s, r) + tet_volume(tip, at(c[1]), r, s);
+    const Vec3 tip = at(c[0]), other = at(c[1]);
+    add_inside(tet_volume(tip, p, q, s), tip, p, q, s);
+    add_inside(tet_volume(tip, p, s, r), tip, p, s, r);
+    add_inside(tet_volume(tip, other, r, s), tip, other, r, s);
     add_triangle(p, q, s, at(c[2]));
     add_triangle(p, s, r, at(c[2]));
   } else {
@@ -107,7 +115,8 @@ void CellCut::tetrahedron(std::array<Corner, 4> c) {
     const Vec3 q = one ? crossing(tip, c[2]) : crossing(c[1], tip);
     const Vec3 r = one ? crossing(tip, c[3]) : crossing(c[2], tip);
     const double corner = tet_volume(at(tip), p, q, r);
-    inside_ += one ? corner : whole - corner;
+    if (!one) add_inside(whole, at(c[0]), at(c[1]), at(c[2]), at(c[3]));
+    add_inside(one ? corner : -corner, at(tip), p, q, r);
     add_triangle(p, q, r, one ? Vec3(2 * p - at(tip)) : at(tip));
   }
 }

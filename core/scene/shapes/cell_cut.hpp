@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/scene/shapes/cells.hpp"
+#include "core/scene/shapes/moments.hpp"
 
 namespace pf {
 
@@ -15,11 +16,15 @@ class CellCut {
   /// Values at the corners of a box; bits 0, 1, 2 of the index say which end in x, y, z.
   using Values = std::array<double, 8>;
 
-  /// `surface` may be nullptr; else a point a cut cell is appended.
-  CellCut(const LevelSet& set, std::vector<SurfacePoint>* surface) : set_(set), surface_(surface) {}
+  /// `surface` may be nullptr; else a point a cut cell is appended. `moments` may be nullptr; else those of all that
+  /// lies inside are added.
+  CellCut(const LevelSet& set, std::vector<SurfacePoint>* surface, Moments* moments = nullptr)
+      : set_(set), surface_(surface), moments_(moments) {}
 
   /// The measure of the inside in [min, min + size].
   double measure(const Vec3& min, const Vec3& size, const Values& values);
+  /// Of a box that is known to lie inside.
+  double whole(const Vec3& min, const Vec3& size);
 
  private:
   struct Corner {
@@ -31,6 +36,12 @@ class CellCut {
   void triangle(std::array<Corner, 3> c);
   void tetrahedron(std::array<Corner, 4> c);
   Vec3 at(const Corner& c) const;
+  /// Adds a simplex to what lies inside.
+  template <class... Corner>
+  void add_inside(double measure, const Corner&... corners) {
+    inside_ += measure;
+    if (moments_) moments_->add_simplex(measure, corners...);
+  }
   /// Where the surface cuts the edge from an inner to an outer corner; found once a cell.
   Vec3 crossing(const Corner& in, const Corner& out);
   Vec3 find_crossing(const Corner& in, const Corner& out) const;
@@ -41,6 +52,7 @@ class CellCut {
 
   const LevelSet& set_;
   std::vector<SurfacePoint>* surface_;
+  Moments* moments_;
   Vec3 min_ = Vec3::Zero(), size_ = Vec3::Zero();
   double inside_ = 0;                                   // of the present cell
   double area_ = 0;                                     // of the surface in it

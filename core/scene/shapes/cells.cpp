@@ -54,7 +54,7 @@ class Tree {
 
   double cell(const Vec3& min, const Vec3& size, int depth) {
     const double d = set_.value(min + 0.5 * size);
-    if (std::abs(d) > 0.5 * size.norm()) return d < 0 ? box_measure(size, set_.dimension) : 0;
+    if (std::abs(d) > 0.5 * size.norm()) return d < 0 ? cut_.whole(min, size) : 0;
     const std::size_t n = std::size_t{1} << set_.dimension;
     if (depth <= 0) {
       CellCut::Values values{};
@@ -147,11 +147,11 @@ double run_halves(const LevelSet& set, int cells) {
   return lower + upper.get();
 }
 
-double walk(const LevelSet& set, int cells, std::vector<SurfacePoint>* surface) {
+double walk(const LevelSet& set, int cells, std::vector<SurfacePoint>* surface, Moments* moments = nullptr) {
   if (!(box_measure(set.domain.max - set.domain.min, set.dimension) > 0)) return 0;
-  CellCut cut(set, surface);
+  CellCut cut(set, surface, moments);
   if (set.is_bound) return Tree(set, cut).run(cells);
-  if (surface == nullptr) return run_halves(set, cells);
+  if (!surface && !moments) return run_halves(set, cells);
   const Lattice lattice(set, cells);
   return lattice.run(cut, 0, lattice.layers());
 }
@@ -160,6 +160,12 @@ double walk(const LevelSet& set, int cells, std::vector<SurfacePoint>* surface) 
 
 double inside_measure(const LevelSet& set, int cells) {
   return walk(set, cells, nullptr);
+}
+
+Moments inside_moments(const LevelSet& set, int cells) {
+  Moments moments;
+  walk(set, cells, nullptr, &moments);
+  return moments;
 }
 
 void add_level_surface(const LevelSet& set, int cells, std::vector<SurfacePoint>& points) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/scene/shapes/moments.hpp"
 #include "core/scene/solid.hpp"
 
 namespace pf {
@@ -27,6 +28,9 @@ struct LevelSet {
 /// the points where it cuts the edges, which are found to a small part of a cell: second order for smooth surfaces.
 /// Where |value| is a bound, only cells near the surface are looked at; else all, and what is smaller is missed.
 double inside_measure(const LevelSet& set, int cells);
+
+/// The same with the moments of the inside.
+Moments inside_moments(const LevelSet& set, int cells);
 
 /// Appends a point for each cell that the surface passes: its pieces' centre, mean outward normal and area.
 void add_level_surface(const LevelSet& set, int cells, std::vector<SurfacePoint>& points);
