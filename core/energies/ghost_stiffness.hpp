@@ -1,5 +1,5 @@
-// What holds nodes at free edges in a step without inertia: gamma k / 2 |D u|^2 over the grid's lines through light nodes
-// (core/grid/ghost_penalty.hpp), k a node's stiffness [N/m]. Third differences are of order dx^3, so the order of
+// What holds nodes at free edges in a step without inertia: gamma k / 2 |D u|^2 over the grid's lines through light
+// nodes (core/grid/ghost_penalty.hpp), k a node's stiffness [N/m]. Third differences are of order dx^3, so the order of
 // convergence stays (Coombs 2023, IJNME 124: ghost stabilisation of implicit quasi-static MPM).
 #pragma once
 

@@ -36,8 +36,7 @@ Moments part_of(const Solid& solid, const ParticleLattice& lattice, const Index&
   for (int a = 0; a < lattice.dimension(); ++a) half[a] = 0.5 * lattice.spacing();
   // Closed sets: a cell whose corners lie on the surface is inside.
   const auto value = [&](const Vec3& p) { return solid.distance(middle + p) - lattice.tolerance(); };
-  const LevelSet set{value, nullptr, solid.distance_is_bound(),
-                     {-half, half}, lattice.dimension()};
+  const LevelSet set{value, nullptr, solid.distance_is_bound(), {-half, half}, lattice.dimension()};
   return inside_moments(set, pieces_across);
 }
 

@@ -9,8 +9,7 @@ namespace pf {
 /// are passed over whole, so that a thin shape across large bounds costs what its surface does.
 template <class Visit>
 void visit_cells(const Solid& solid, const ParticleLattice& lattice, const ParticleLattice::Index& first,
-                 const ParticleLattice::Index& last,
-                 const Visit& visit) {
+                 const ParticleLattice::Index& last, const Visit& visit) {
   std::array<std::int64_t, 3> count{1, 1, 1};
   int longest = 0;
   Vec3 extent = Vec3::Zero(), middle = Vec3::Zero();

@@ -59,9 +59,9 @@ void SimulationOf<D>::tell_of_plan(StepReport& report) {
   told_of_edges_ = plan_.edges_left();
 }
 
-#define PF_INSTANTIATE(D)                                                                 \
-  template bool SimulationOf<D>::tie_light_nodes(const StepChoice&);                      \
-  template void SimulationOf<D>::tell_of_blend(const MassMatrix<D>&, StepReport&);        \
+#define PF_INSTANTIATE(D)                                                          \
+  template bool SimulationOf<D>::tie_light_nodes(const StepChoice&);               \
+  template void SimulationOf<D>::tell_of_blend(const MassMatrix<D>&, StepReport&); \
   template void SimulationOf<D>::tell_of_plan(StepReport&);
 PF_INSTANTIATE(2)
 PF_INSTANTIATE(3)

@@ -78,7 +78,7 @@ TEST_CASE("every method that a menu offers says which study or lesson it is ther
         }
       }
     }
-  CHECK(hidden == 4);
+  CHECK(hidden == 3);
 }
 
 TEST_CASE("what is said to stand on a study's front stands there") {
