@@ -83,7 +83,7 @@ bool Workbench::possible(Action action) const {
     case Action::undo:
       return undo_.can_undo() || context_.status.stroke_is_newest;
     case Action::redo:
-      return undo_.can_redo();
+      return undo_.can_redo() || context_.status.stroke_was_taken_back;
     case Action::step:
       return state == RunState::paused || state == RunState::running || state == RunState::failed;
     case Action::slow_step:
@@ -140,7 +140,10 @@ void Workbench::act(Action action, int index) {
         restore(std::move(*before));
       break;
     case Action::redo:
-      if (auto after = undo_.redo(document())) restore(std::move(*after));
+      if (context_.status.stroke_was_taken_back)
+        session_.bring_back_strokes();
+      else if (auto after = undo_.redo(document()))
+        restore(std::move(*after));
       break;
     case Action::run_pause:
       if (context_.slow) {

@@ -80,6 +80,7 @@ std::vector<Edit> only(const std::vector<Edit>& edits, Applies when) {
 
 void Recording::add(long step, double time, const std::vector<Edit>& edits) {
   if (edits.empty()) return;
+  taken_back_.clear();
   const auto replaceable = [](const Edit& edit) { return !edit.value.is_string(); };
   const auto appends = [](const Edit& edit) { return edit.pointer.ends_with("/-"); };
   const auto open = [&] { return !deeds_.empty() && deeds_.back().step == step && !deeds_.back().edits.empty(); };
@@ -88,7 +89,7 @@ void Recording::add(long step, double time, const std::vector<Edit>& edits) {
     // left its traces, though: going from APIC to FLIP forgets the affine velocities. And an event has each place once.
     const bool again = open() && std::any_of(deeds_.back().edits.begin(), deeds_.back().edits.end(),
                                              [&](const Edit& earlier) { return earlier.pointer == edit.pointer; });
-    if (!open() || (again && (!replaceable(edit) || appends(edit)))) deeds_.push_back({.step = step, .time = time});
+    if (!open() || (again && (!replaceable(edit) || appends(edit)))) push({.step = step, .time = time});
     auto& set = deeds_.back().edits;
     std::erase_if(set, [&](const Edit& earlier) { return earlier.pointer == edit.pointer; });
     set.push_back(edit);
@@ -97,20 +98,31 @@ void Recording::add(long step, double time, const std::vector<Edit>& edits) {
 
 void Recording::add_grab(long step, double time, const std::optional<Grab>& grab) {
   if (deeds_.empty() || deeds_.back().step != step || !deeds_.back().hold)
-    deeds_.push_back({.step = step, .time = time, .hold = true});
+    push({.step = step, .time = time, .hold = true});
   deeds_.back().grab = grab;
 }
 
 std::optional<Deed> Recording::take_back_strokes() {
-  std::optional<Deed> first;
-  while (ends_in_stroke() && (!first || deeds_.back().gesture == first->gesture)) {
-    first = std::move(deeds_.back());
-    deeds_.pop_back();
-  }
-  return first;
+  if (!ends_in_stroke()) return std::nullopt;
+  const std::uint64_t gesture = deeds_.back().gesture;
+  const auto begin = std::find_if(deeds_.rbegin(), deeds_.rend(), [&](const Deed& deed) {
+                       return !deed.stroke || deed.gesture != gesture;
+                     }).base();
+  taken_back_.emplace_back(begin, deeds_.end());
+  deeds_.erase(begin, deeds_.end());
+  return taken_back_.back().front();
+}
+
+std::optional<std::pair<long, long>> Recording::bring_back_strokes() {
+  if (taken_back_.empty()) return std::nullopt;
+  const std::vector<Deed> strokes = std::move(taken_back_.back());
+  taken_back_.pop_back();
+  deeds_.insert(deeds_.end(), strokes.begin(), strokes.end());
+  return std::pair{strokes.front().step, strokes.back().step};
 }
 
 void Recording::forget_after(long step) {
+  taken_back_.clear();
   std::erase_if(deeds_, [&](const Deed& deed) { return deed.step > step; });
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/params/setting.hpp"
@@ -41,6 +42,7 @@ class Recording {
   void begin(const Scene& built) {
     built_ = built;
     deeds_.clear();
+    taken_back_.clear();
   }
   /// Probes are the same all along.
   void set_probes(const std::vector<Probe>& probes) { built_.probes = probes; }
@@ -50,14 +52,18 @@ class Recording {
   void add_grab(long step, double time, const std::optional<Grab>& grab);
   /// This was cut or painted there.
   void add_stroke(long step, double time, const Stroke& stroke, std::uint64_t gesture) {
-    deeds_.push_back({.step = step, .time = time, .stroke = stroke, .gesture = gesture});
+    push({.step = step, .time = time, .stroke = stroke, .gesture = gesture});
   }
   /// The last thing that was done is a stroke.
   bool ends_in_stroke() const { return !deeds_.empty() && deeds_.back().stroke; }
   /// Forgets the strokes of the gesture that it ends in; the first of them. Nothing where it does not end in one.
   std::optional<Deed> take_back_strokes();
+  /// Strokes were taken back, and nothing was done since.
+  bool can_bring_back() const { return !taken_back_.empty(); }
+  /// Remembers the strokes again that were taken back last: the steps of the first and of the last of them.
+  std::optional<std::pair<long, long>> bring_back_strokes();
   /// From this state on the run ends at `end`: the last step is as long as that leaves.
-  void add_end(long step, double time, double end) { deeds_.push_back({.step = step, .time = time, .end = end}); }
+  void add_end(long step, double time, double end) { push({.step = step, .time = time, .end = end}); }
   /// Another run begins at the state after `step`: what was done to later ones is forgotten.
   void forget_after(long step);
   /// In the order in which it was done.
@@ -68,8 +74,15 @@ class Recording {
   Scene scene() const;
 
  private:
+  /// What is done now comes in the place of what was taken back.
+  void push(Deed deed) {
+    taken_back_.clear();
+    deeds_.push_back(std::move(deed));
+  }
+
   Scene built_;
   std::vector<Deed> deeds_;
+  std::vector<std::vector<Deed>> taken_back_;  ///< gestures, the one that was taken back last at the end
 };
 
 }  // namespace pf::app

@@ -89,6 +89,9 @@ void Session::stroke(const Stroke& stroke, std::uint64_t gesture) {
 void Session::take_back_strokes() {
   worker_->send(command::TakeBack{}, true);
 }
+void Session::bring_back_strokes() {
+  worker_->send(command::BringBack{}, true);
+}
 void Session::request(const SnapshotRequest& what) {
   worker_->send(command::Look{what}, false);
 }
@@ -143,6 +146,7 @@ SessionStatus Session::status() const {
   const std::lock_guard lock(worker_->mutex);
   SessionStatus status = worker_->status;
   status.stroke_is_newest = worker_->recording.ends_in_stroke();
+  status.stroke_was_taken_back = worker_->recording.can_bring_back();
   return status;
 }
 

@@ -42,8 +42,9 @@ struct SessionStatus {
   bool step_in_flight = false;
   bool suspended = false;  ///< stands still for somebody else, whatever its state
   Acknowledgement edit;
-  bool stroke_is_newest = false;  ///< take_back_strokes() has something to take back
-  std::string message;            ///< failure or newest warning, in the user's words
+  bool stroke_is_newest = false;       ///< take_back_strokes() has something to take back
+  bool stroke_was_taken_back = false;  ///< bring_back_strokes() has something to bring back
+  std::string message;                 ///< failure or newest warning, in the user's words
   std::string solver_choice;
 };
 
@@ -105,6 +106,9 @@ class Session {
   /// Where the last thing that was done to this run is a stroke: back to the state that it was done to, paused, as if
   /// its gesture had never been. What came after it is forgotten.
   void take_back_strokes();
+  /// Does the gesture again that was taken back last, at the states that it was done to, unless something else was done
+  /// since; paused after its last stroke. What came after them is forgotten.
+  void bring_back_strokes();
   void request(const SnapshotRequest& what);
   /// Called by the worker, on its thread, whenever there is something new to show. Set it before the first open().
   void set_wake(std::function<void()> wake);

@@ -58,6 +58,7 @@ struct Work {
   std::uint64_t gesture;
 };
 struct TakeBack {};
+struct BringBack {};
 struct Look {
   SnapshotRequest request;
 };
@@ -75,8 +76,9 @@ struct Record {
 struct FrameTaken {
   std::shared_ptr<const Snapshot> frame;
 };
-using Any = std::variant<Open, Run, Pause, StepOnce, Reset, GoTo, Branch, Ledger, Recount, Memory, EditTo, Suspend,
-                         Rate, End, Hold, Work, TakeBack, Look, Ask, AskState, Watch, TakeApart, Record, FrameTaken>;
+using Any =
+    std::variant<Open, Run, Pause, StepOnce, Reset, GoTo, Branch, Ledger, Recount, Memory, EditTo, Suspend, Rate, End,
+                 Hold, Work, TakeBack, BringBack, Look, Ask, AskState, Watch, TakeApart, Record, FrameTaken>;
 }  // namespace command
 
 struct Session::Worker {
@@ -153,6 +155,9 @@ struct Session::Worker {
   void handle(const command::Hold& hold);
   void handle(const command::Work& work);
   void handle(const command::TakeBack&);
+  void handle(const command::BringBack&);
+  /// The run begins again at the state after `step`, as recorded, and goes to `target`; what came later is forgotten.
+  void begin_again(long step, long target);
   void handle(const command::Look& look);
   void handle(const command::Ask& ask);
   void handle(const command::AskState&);

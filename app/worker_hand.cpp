@@ -50,17 +50,31 @@ void Session::Worker::handle(const command::TakeBack&) {
     const std::lock_guard lock(mutex);
     first = recording.take_back_strokes();
   }
-  if (!first) return;
   // Back to the state that they were done to, and on from there as if they had never been.
-  keyframes_.forget_after(first->step);
+  if (first) begin_again(first->step, first->step);
+}
+
+void Session::Worker::handle(const command::BringBack&) {
+  if (!simulation_ || state_ == RunState::loading) return;
+  std::optional<std::pair<long, long>> steps;
   {
     const std::lock_guard lock(mutex);
-    if (first->step < reached_) ++status.branches;
-    status.reached = reached_ = first->step;
+    steps = recording.bring_back_strokes();
+  }
+  // A drag may have gone on over several steps.
+  if (steps) begin_again(steps->first, steps->second);
+}
+
+void Session::Worker::begin_again(long step, long target) {
+  keyframes_.forget_after(step);
+  {
+    const std::lock_guard lock(mutex);
+    if (step < reached_) ++status.branches;
+    status.reached = reached_ = step;
     status.rewind_bytes = keyframes_.bytes();
   }
   set_state(RunState::paused);
-  go_from(keyframes_.before(first->step), first->step);
+  go_from(keyframes_.before(step), target);
 }
 
 void Session::Worker::place_probes(const std::vector<Probe>& probes) {

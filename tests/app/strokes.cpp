@@ -120,10 +120,17 @@ TEST_CASE("a drag with cut takes the material under it out of the running simula
       empty = empty && apart > 0.25 * dx * dx;
     }
     CHECK(empty);
+    const std::vector<double> left = context.snapshot->x;
     REQUIRE(stage->possible(Action::undo));
+    CHECK_FALSE(stage->possible(Action::redo));
     stage->act(Action::undo);
     CHECK(stage.until([&] { return context.snapshot->particles == all; }));
     CHECK(context.snapshot->report.strokes.count == 0);
+    stage.frames(1);
+    REQUIRE(stage->possible(Action::redo));
+    stage->act(Action::redo);
+    CHECK(stage.until([&] { return context.snapshot->x == left; }));
+    CHECK(context.status.stroke_is_newest);
   }
 }
 

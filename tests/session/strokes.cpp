@@ -200,6 +200,61 @@ TEST_CASE("cuts and paint replay, rewind and are taken back to the byte") {
     }
 }
 
+TEST_CASE("strokes that were taken back come back to the byte, at the steps that they were done at") {
+  Live live(parse_scene(text_of(2), "test"));
+  const auto ball_at = [](double x, double y) {
+    Shape shape;
+    shape.type = "ball";
+    shape.center = Vec3(x, y, 0);
+    shape.radius = 0.12;
+    return shape;
+  };
+  const auto cut = [&](double x, double y, std::uint64_t gesture) {
+    const auto before = live.session.snapshot();
+    live.session.stroke({"cut", ball_at(x, y), ""}, gesture);
+    live.wait([&](const SessionStatus&) { return live.session.snapshot() != before; });
+  };
+  const auto stands = [&](long step, std::size_t particles) {
+    live.wait([&](const SessionStatus& s) {
+      return s.step == step && s.reached == step && s.target < 0 && live.session.snapshot()->particles == particles;
+    });
+    live.session.pause();
+    std::this_thread::sleep_for(5ms);
+  };
+  live.steps(4);
+  const std::size_t all = live.simulation->particle_count();
+  cut(0.3, 0.15, 1);
+  const std::size_t once = live.simulation->particle_count();
+  live.steps(2);
+  cut(0.1, 0.05, 2);  // a drag over three steps
+  live.steps(3);
+  cut(0.1, 0.2, 2);
+  const std::size_t twice = live.simulation->particle_count();
+  const std::string done = state_of(*live.simulation);
+  const Scene recorded = live.session.recorded();
+  REQUIRE(twice < once);
+  live.session.take_back_strokes();
+  stands(6, once);
+  live.session.take_back_strokes();
+  stands(4, all);
+  CHECK(live.session.status().stroke_was_taken_back);
+  live.steps(3);  // what was simulated without them is forgotten
+  live.session.bring_back_strokes();
+  stands(4, once);
+  live.session.bring_back_strokes();
+  stands(9, twice);
+  CHECK(state_of(*live.simulation) == done);
+  CHECK(live.session.recorded() == recorded);
+  CHECK_FALSE(live.session.status().stroke_was_taken_back);
+  live.steps(2);  // a record that ends sooner does not get to its last event
+  live.check_replay();
+  // Something new comes in the place of what was taken back.
+  live.session.take_back_strokes();
+  stands(6, once);
+  cut(0.5, 0.2, 3);
+  CHECK_FALSE(live.session.status().stroke_was_taken_back);
+}
+
 TEST_CASE("a stroke that would leave nothing is refused with a word, and leaves no record") {
   Live live(parse_scene(text_of(2), "test"));
   live.steps(3);
