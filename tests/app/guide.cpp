@@ -1,18 +1,11 @@
 // The pictures of docs/guide.md, and those that one looks at before a change of the window is landed:
 //   PUSHFORWARD_UPDATE_DOCS=1 ./test.sh -R 'pictures of the guide'          docs/images/guide-*.png
-//   PUSHFORWARD_SCREENS=DIR ./test.sh -R 'pictures of the guide'            every view, both themes, three sizes
+//   PUSHFORWARD_SCREENS=DIR ./test.sh -R 'pictures of the guide'            both themes, three sizes
+// PUSHFORWARD_SCREEN=NAME makes one of them alone. The views that the guide does not show are in every_view.cpp.
 #include <imgui.h>
 
-#include <cstdlib>
-#include <map>
-
 #include "app/advice/desk.hpp"
-#include "app/compare/desk.hpp"
-#include "app/inside/step_player.hpp"
-#include "app/lessons/desk.hpp"
-#include "app/panels/memory.hpp"
-#include "tests/app/find_text.hpp"
-#include "tests/app/hand.hpp"
+#include "tests/app/shot.hpp"
 
 using namespace pf;
 using namespace pf::app;
@@ -20,93 +13,8 @@ using namespace pf::app::staged;
 
 namespace {
 
-/// A window of a given size.
-struct Sized {
-  int width = 1280, height = 800;
-  float scale = 1;
-  Theme theme = Theme::dark;
-};
-
-struct Shot : Stage {
-  Hand hand{*this};
-
-  Point2 pixel(const Vec3& where) { return at(*this, where); }
-  Vec3 middle() {
-    const Snapshot& s = *context().snapshot;
-    const auto d = static_cast<std::size_t>(s.dimension);
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t p = 0; p < s.particles; ++p)
-      for (std::size_t a = 0; a < d; ++a) sum[static_cast<int>(a)] += s.x[d * p + a];
-    return sum / static_cast<double>(s.particles);
-  }
-  explicit Shot(const Sized& size) : Stage(small()) {
-    bench.reset();
-    Preferences p;
-    p.window_width = size.width;
-    p.window_height = size.height;
-    p.ui_scale = size.scale;
-    p.theme = size.theme;
-    Workbench::Setup setup;
-    setup.visible = false;
-    setup.run = false;
-    setup.folders = {folder / "config", folder / "state"};
-    setup.pictures = folder / "pictures";
-    setup.studies = folder / "studies";
-    save_preferences(p, setup.folders);
-    bench = std::make_unique<Workbench>(small(), fs::path(), setup);
-    context().session.set_rate(0);
-  }
-  void show(const std::string& scene, long count) {
-    bench->open_scene(shipped(scene), {}, false);
-    until([&] { return context().scene.name == shipped(scene).name && context().status.state == RunState::paused; });
-    ready();
-    bench->act(Action::fit);
-    steps(count);
-  }
-  void slow_at(PhaseKind kind, double f) {
-    bench->act(Action::slow_step);
-    until([&] { return context().slow != nullptr; });
-    StepPlayer& player = *context().slow;
-    player.playing = false;
-    for (std::size_t k = player.phases().size(); k-- > 0;)
-      if (player.phases()[k].kind == kind) player.seek(static_cast<double>(k) + f);
-  }
-  void lesson_at(std::size_t lesson, std::size_t page, bool work) {
-    open_lesson(context(), shipped_lessons().at(lesson));
-    ready();
-    for (std::size_t k = 0; k <= page; ++k) {
-      if (k > 0) context().lesson->turn_to(context(), k);
-      frames(3);
-      ready();
-      if (k == page && !work) break;
-      context().lesson->help(context());
-      const LessonPage& p = context().lesson->page();
-      until([&] { return context().lesson->seen() && context().lesson->task_done(context()); });
-      if (p.question) context().lesson->answer_ = p.question->answer;
-    }
-  }
-  /// Lanes to a time of theirs.
-  void act_until(double time) {
-    context().compare->comparison.set_rate(0);
-    until([&] {
-      frames(1);
-      return context().compare->status.time >= time || !context().compare->active();
-    });
-    context().compare->comparison.pause();
-    until([&] { return context().compare->status.state != CompareState::running; });
-  }
-  Image take() {
-    frames(12);
-    until([&] { return !context().status.step_in_flight; });
-    bench->act(Action::fit);
-    frames(4);
-    return bench->screenshot();
-  }
-};
-
-using Prepare = void (*)(Shot&);
-const std::map<std::string, Prepare>& views() {
-  static const std::map<std::string, Prepare> table{
+const std::vector<WindowView>& views() {
+  static const std::vector<WindowView> table{
       {"window", [](Shot& s) { s.show("welcome", 45); }},
       {"inspector",
        [](Shot& s) {
@@ -271,7 +179,7 @@ const std::map<std::string, Prepare>& views() {
          s.frames(2);
          const Vec3 at = s.middle();
          const double dx = s.context().snapshot->spacing;
-         s.hand.drag(s.pixel(at + Vec3(0, 5 * dx, 0)), s.pixel(at - Vec3(0, 5 * dx, 0)));
+         s.hand.drag(s.pixel(at - Vec3(0, 5 * dx, 0)), s.pixel(at + Vec3(0, 5 * dx, 0)));
          s.frames(4);
          s.steps(14);
        }},
@@ -334,31 +242,10 @@ const std::map<std::string, Prepare>& views() {
 TEST_CASE("pictures of the guide") {
   NEEDS_DISPLAY();
   const char* update = std::getenv("PUSHFORWARD_UPDATE_DOCS");
-  const char* screens = std::getenv("PUSHFORWARD_SCREENS");
-  const char* only = std::getenv("PUSHFORWARD_SCREEN");
-  std::vector<std::pair<std::string, Sized>> sizes{{"", {}}};
-  if (screens != nullptr)
-    sizes = {{"-dark", {}},
-             {"-light", {1280, 800, 1, Theme::light}},
-             {"-hd-dark", {1920, 1080, 1, Theme::dark}},
-             {"-hd-light", {1920, 1080, 1, Theme::light}},
-             {"-200-dark", {1920, 1080, 2, Theme::dark}},
-             {"-200-light", {1280, 800, 2, Theme::light}}};
-  const bool save = update != nullptr && *update == '1';
-  for (const auto& [name, prepare] : views()) {
-    // Without a wish, one view is enough to know that the pictures can be made.
-    if (only != nullptr ? name != only : screens == nullptr && !save && name != "inspector") continue;
-    for (const auto& [suffix, size] : sizes) {
-      CAPTURE(name + suffix);
-      Shot shot(size);
-      REQUIRE(shot.ready());
-      prepare(shot);
-      const Image image = shot.take();
-      CHECK(image.width == size.width);
-      CHECK(shot.context().problems.empty());
-      CHECK(shot.context().snapshot->particles > 100);
-      if (screens != nullptr) write_png(image, fs::path(screens) / (name + suffix + ".png"));
-      if (save) write_png(image, fs::path(PUSHFORWARD_SOURCE) / ("docs/images/guide-" + name + ".png"));
-    }
-  }
+  std::function<fs::path(const std::string&)> keep;
+  if (update != nullptr && *update == '1')
+    keep = [](const std::string& name) {
+      return fs::path(PUSHFORWARD_SOURCE) / ("docs/images/guide-" + name + ".png");
+    };
+  take_pictures(views(), "inspector", keep);
 }
