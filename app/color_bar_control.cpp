@@ -22,11 +22,15 @@ double value_at(const ValueRange& range, double position, ColorScale scale) {
   return range.min + position * (range.max - range.min);
 }
 
-/// Small triangles beside the ends that somebody chose.
-void draw_chosen_ends(ImDrawList& list, Point2 top, Point2 bottom, float em, ImU32 color) {
-  for (const Point2 at : {top, bottom})
-    list.AddTriangleFilled({at.x, at.y}, {at.x + 0.4F * em, at.y - 0.25F * em}, {at.x + 0.4F * em, at.y + 0.25F * em},
-                           color);
+/// Small triangles at the ends that somebody chose: beside a bar that stands, above one that lies.
+void draw_chosen_ends(ImDrawList& list, Point2 low, Point2 high, bool lies, float em, ImU32 color) {
+  const float long_side = 0.4F * em, half = 0.25F * em;
+  if (lies)
+    for (const float x : {low.x, high.x})
+      list.AddTriangleFilled({x, low.y}, {x - half, low.y - long_side}, {x + half, low.y - long_side}, color);
+  else
+    for (const float y : {low.y, high.y})
+      list.AddTriangleFilled({high.x, y}, {high.x + long_side, y - half}, {high.x + long_side, y + half}, color);
 }
 
 }  // namespace
@@ -60,11 +64,16 @@ void ColorBarControl::draw(AppContext& context, const OverlayInfo& info, Point2 
   }
   const float em = ImGui::GetFontSize();
   const Point2 low{place->min.x * scale, place->min.y * scale}, high{place->max.x * scale, place->max.y * scale};
-  const float middle = 0.5F * (low.x + high.x);
-  ends_ = {{middle, low.y}, {middle, high.y}};
-  const float right = place->panel_max.x * scale;
-  ImGui::SetNextWindowPos({low.x - 0.3F * em, low.y - 0.6F * em});
-  ImGui::SetNextWindowSize({right - low.x + 0.3F * em, high.y - low.y + 1.2F * em});
+  const Point2 middle{0.5F * (low.x + high.x), 0.5F * (low.y + high.y)};
+  const float length = place->lies ? high.x - low.x : high.y - low.y;
+  if (place->lies)
+    ends_ = {{high.x, middle.y}, {low.x, middle.y}};
+  else
+    ends_ = {{middle.x, low.y}, {middle.x, high.y}};
+  const float right = (place->lies ? high.x : place->panel_max.x * scale) + (place->lies ? 0.6F * em : 0);
+  const float left = low.x - (place->lies ? 0.6F : 0.3F) * em;
+  ImGui::SetNextWindowPos({left, low.y - 0.6F * em});
+  ImGui::SetNextWindowSize({right - left, high.y - low.y + 1.2F * em});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   ImGui::Begin("colour bar", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoMove |
@@ -72,8 +81,9 @@ void ColorBarControl::draw(AppContext& context, const OverlayInfo& info, Point2 
                    ImGuiWindowFlags_NoBringToFrontOnFocus);
   ImGui::PopStyleVar();
   ImGui::InvisibleButton("bar", ImGui::GetContentRegionAvail());
-  const double now =
-      std::clamp(static_cast<double>((high.y - ImGui::GetIO().MousePos.y) / (high.y - low.y)), -0.5, 1.5);
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const float way = place->lies ? mouse.x - low.x : high.y - mouse.y;
+  const double now = std::clamp(static_cast<double>(way / length), -0.5, 1.5);
   const FieldInfo& field = field_info(info.field);
   if (ImGui::IsItemActivated()) held_ = Held{std::clamp(now, 0.0, 1.0), info.range};
   if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
@@ -81,7 +91,7 @@ void ColorBarControl::draw(AppContext& context, const OverlayInfo& info, Point2 
     held_.reset();
   }
   if (!ImGui::IsItemActive()) held_.reset();
-  if (held_ && std::abs(now - held_->position) * static_cast<double>(high.y - low.y) > 2) {
+  if (held_ && std::abs(now - held_->position) * static_cast<double>(length) > 2) {
     const ValueRange range = dragged(held_->range, held_->position, now, info.scale, field.centre);
     view.lock_range = true;
     view.range_min = rounded(range.min, 3);
@@ -89,7 +99,7 @@ void ColorBarControl::draw(AppContext& context, const OverlayInfo& info, Point2 
   }
   const bool hovered = ImGui::IsItemHovered();
   if (view.lock_range || hovered)
-    draw_chosen_ends(list, {high.x, low.y}, high, em,
+    draw_chosen_ends(list, low, high, place->lies, em,
                      ImGui::GetColorU32(view.lock_range ? accent_color() : ImGui::GetStyleColorVec4(ImGuiCol_Text)));
   if (hovered && !held_ && now >= 0 && now <= 1)
     tooltip(quantity(value_at(info.range, now, info.scale), field.unit, 3) +

@@ -12,12 +12,13 @@ class ColorBarControl {
  public:
   /// Inside of ImGui's frame, after the bar was drawn with these by a painter whose unit is `scale` pixels.
   void draw(AppContext& context, const OverlayInfo& info, Point2 min, Point2 max, float scale, ImDrawList& list);
-  /// The middle of the upper and the lower end in the newest frame [pixels]; nothing where no bar is shown.
+  /// The middle of the end of the largest value and of the other in the newest frame [pixels]; nothing where no bar is
+  /// shown.
   std::optional<std::pair<Point2, Point2>> ends() const { return ends_; }
 
  private:
   struct Held {
-    double position = 0;  ///< where the bar was pressed, 0 below to 1 above
+    double position = 0;  ///< where the bar was pressed, from 0 at the least value to 1
     ValueRange range;     ///< then
   };
   std::optional<Held> held_;

@@ -52,7 +52,8 @@ void Workbench::draw_lanes() {
     aspect = static_cast<float>(size.x() / std::max(size.y(), 1e-12));
   }
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  view_->place(lane_views_->place(layout_.view, desk.lanes.size(), aspect, {mouse.x, mouse.y}), pixels, height);
+  const Rect cell = lane_views_->place(layout_.view, desk.lanes.size(), aspect, {mouse.x, mouse.y});
+  view_->place(cell, pixels, height, lane_views_->margins(context_.scene.dimension, ImGui::GetFontSize() / base_em));
   view_->handle_mouse(context_);
   view_->aim(context_);
   lane_views_->draw(context_, desk, view_->camera(), pixels, height, ImGui::GetFontSize() / base_em);

@@ -80,8 +80,10 @@ GlView::GlView() {
   for (const ToolInfo& info : tools()) tools_.push_back(info.make());
 }
 
-void GlView::place(const Rect& where, float pixels_per_unit, float framebuffer_height) {
+void GlView::place(const Rect& where, float pixels_per_unit, float framebuffer_height,
+                   const std::optional<ViewMargins>& margins) {
   where_ = where;
+  margins_ = margins;
   pixels_per_unit_ = pixels_per_unit;
   framebuffer_height_ = framebuffer_height;
   const auto pixels = [&](float units) { return std::max(1, static_cast<int>(std::lround(units * pixels_per_unit))); };
@@ -93,11 +95,15 @@ float GlView::overlay_scale() const {
 }
 
 ViewMargins GlView::margins() const {
-  ViewMargins m = overlay_margins(dimension_);
   const double scale = static_cast<double>(overlay_scale() * pixels_per_unit_);
-  const double widest = 0.25 * size_.width, highest = 0.25 * size_.height;
-  return {std::min(scale * m.left, widest), std::min(scale * m.right, widest), std::min(scale * m.top, highest),
-          std::min(scale * m.bottom, highest)};
+  const ViewMargins m = margins_ ? *margins_ : overlay_margins(dimension_, size_.width / scale, size_.height / scale);
+  // The content keeps at least so much of each side.
+  constexpr double least = 0.4;
+  const auto shrunk = [&](double both, double side) {
+    return both > 0 ? scale * std::min(1.0, (1 - least) * side / (scale * both)) : scale;
+  };
+  const double across = shrunk(m.left + m.right, size_.width), along = shrunk(m.top + m.bottom, size_.height);
+  return {across * m.left, across * m.right, along * m.top, along * m.bottom};
 }
 
 void GlView::follow_camera(const Snapshot& snapshot) {
@@ -299,6 +305,9 @@ void GlView::draw_overlay(AppContext& context, ImDrawList& list) {
   ImGuiPainter scaled(list, scale);
   OverlayInfo info = OverlayInfo::of(*context.snapshot, renderer_, options, camera_, size_);
   info.clock = context.view.hide_panels;  // else the bar below has it
+  // In a low view there is no room for what the tool in hand offers and for the legend.
+  if (where_.height < lowest_with_lying_legend * scale && tool() != nullptr && tool()->has_options())
+    info.color_bar = false;
   if (context.view.show_histogram) info.histogram = counts(context, info);
   const Point2 low{where_.x / scale, where_.y / scale}, high{where_.right() / scale, where_.bottom() / scale};
   pf::draw_overlay(info, options.theme, scaled, low, high);

@@ -33,8 +33,10 @@ class GlView {
  public:
   GlView();
 
-  /// Where the view is. `pixels_per_unit`: framebuffer pixels per unit of `where`.
-  void place(const Rect& where, float pixels_per_unit, float framebuffer_height);
+  /// Where the view is. `pixels_per_unit`: framebuffer pixels per unit of `where`. `margins`: of fitted content, in
+  /// units of the overlay, where there is more over it than the overlay.
+  void place(const Rect& where, float pixels_per_unit, float framebuffer_height,
+             const std::optional<ViewMargins>& margins = {});
   /// Draws into the framebuffer, or copies the last picture to it where nothing changed: a menu that opens over a
   /// large scene need not draw it again. Before ImGui draws over it.
   void draw(const AppContext& context);
@@ -113,6 +115,7 @@ class GlView {
   std::vector<std::unique_ptr<Tool>> tools_;
   std::size_t tool_ = 0;
   Rect where_;
+  std::optional<ViewMargins> margins_;
   float pixels_per_unit_ = 1;
   float framebuffer_height_ = 0;
   ViewSize size_;

@@ -7,7 +7,8 @@ namespace pf::app {
 namespace {
 
 // In em.
-constexpr float left_width = 18, inspector_width = 15, wide_width = 21;
+constexpr float left_width = 18, inspector_width = 16, wide_width = 21;
+constexpr float narrowest_middle = 18;   // beside settings and inspector
 constexpr float transport_row = 2.8f;    // a button and the space about it
 constexpr float status_row = 2.0f;       // of text, below it where both do not fit in one
 constexpr float transport_one_row = 52;  // what one row of it needs
@@ -28,11 +29,12 @@ Layout arrange(const LayoutInput& in) {
   const float top = in.menu_height, height = std::max(0.0f, in.height - top);
   // The view keeps at least two fifths of the width however large the text is.
   float left = whole(std::min(left_width * in.em, 0.45f * in.width));
-  float right = in.inspector ? whole(std::min(inspector_width * in.em, 0.3f * in.width)) : 0;
+  float right = in.inspector ? whole(std::min(inspector_width * in.em, 0.33f * in.width)) : 0;
   if (in.wide_right) {
     right = whole(std::min(wide_width * in.em, 0.45f * in.width));
     if (in.width - left - right < 0.3f * in.width) left = 0;  // the settings make room for what is being read
   }
+  if (right > 0 && in.width - left - right < narrowest_middle * in.em) left = 0;
   const float middle = std::max(0.0f, in.width - left - right);
   out.transport_rows = middle < transport_one_row * in.em ? 2 : 1;
   out.step_strip = in.step_strip ? whole(step_strip_height * in.em) : 0;

@@ -147,7 +147,8 @@ void Workbench::draw_transport_buttons() {
 void Workbench::draw_playback_choices() {
   const float em = ImGui::GetFontSize();
   const float room = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x;
-  const float width = std::min(10.5f * em, room / 2);
+  const bool both = room > 10 * em;  // else the speed alone
+  const float width = std::min(10.5f * em, both ? room / 2 : room);
   const bool brief = width < 10 * em;
   const char* now = rates.front().label;
   for (const Rate& rate : rates)
@@ -159,7 +160,7 @@ void Workbench::draw_playback_choices() {
     ImGui::EndCombo();
   }
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("How fast simulated time runs, if the machine keeps up");
-  if (comparing(context_)) return;  // it pauses at the end
+  if (comparing(context_) || !both) return;  // lanes pause at the end
   ImGui::SameLine();
   ImGui::SetNextItemWidth(width);
   const auto end = static_cast<std::size_t>(at_end_);

@@ -46,6 +46,20 @@ void part(const char* name, const Rect& where, ImVec2 padding, int flags, const 
   ImGui::End();
 }
 
+/// A child that shows how far it scrolls. Its bar has its place always, so that tables keep their width, and is to be
+/// seen where there is more below.
+void begin_reading() {
+  ImGuiStorage& kept = *ImGui::GetStateStorage();
+  const ImGuiID scrolls = ImGui::GetID("scrolls");
+  const bool hidden = !kept.GetBool(scrolls);
+  if (hidden)
+    for (const ImGuiCol part : {ImGuiCol_ScrollbarGrab, ImGuiCol_ScrollbarGrabHovered, ImGuiCol_ScrollbarGrabActive})
+      ImGui::PushStyleColor(part, ImVec4(0, 0, 0, 0));
+  ImGui::BeginChild("read", {0, 0}, false, ImGuiWindowFlags_AlwaysVerticalScrollbar);
+  if (hidden) ImGui::PopStyleColor(3);
+  kept.SetBool(scrolls, ImGui::GetScrollMaxY() > 0);
+}
+
 bool same_news(const SessionStatus& a, const SessionStatus& b) {
   return a.state == b.state && a.run == b.run && a.step == b.step && a.step_in_flight == b.step_in_flight &&
          a.reached == b.reached && a.target == b.target && a.edit.edit == b.edit.edit &&
@@ -285,7 +299,8 @@ void Workbench::draw() {
   if (comparing(context_)) {
     draw_lanes();
   } else {
-    view_->place(layout_.view, window_.pixels_per_unit(), static_cast<float>(window_.framebuffer_height()));
+    view_->place(layout_.view, window_.pixels_per_unit(), static_cast<float>(window_.framebuffer_height()),
+                 view_margins());
     view_->handle_mouse(context_);
     view_->draw(context_);
   }
@@ -319,7 +334,11 @@ void Workbench::draw_parts() {
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
   part("transport", layout_.transport, {0.8f * em, 0}, ImGuiWindowFlags_NoScrollWithMouse, [&] { draw_transport(); });
   ImGui::PopStyleColor();
-  part("inspector", layout_.inspector, usual, 0, [&] { draw_inspector(context_); });
+  part("inspector", layout_.inspector, usual, 0, [&] {
+    begin_reading();
+    draw_inspector(context_);
+    ImGui::EndChild();
+  });
   context_.wants_record =
       false;  // until a panel of this frame wants it; what lies above shows what the last one wanted
   part("drawer", layout_.drawer, {0.8f * em, 0.25f * em}, ImGuiWindowFlags_NoScrollWithMouse, [&] {

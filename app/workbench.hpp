@@ -93,8 +93,11 @@ class Workbench {
   void draw();
   void draw_parts();
   void draw_drawer_toggle();
+  ViewMargins view_margins() const;
+  bool tools_in_column() const;
   void draw_tool_bar();
-  void draw_tool_options(Point2 place);
+  void draw_tool_choice();
+  void draw_tool_options(Point2 place, float width);
   void draw_tool_button(const ToolInfo& tool);
   void draw_splitter();
 

@@ -14,27 +14,26 @@ namespace {
 
 constexpr float margin = 12, padding = 12, text_size = 12, title_size = 13, bar_width = 14, tick_gap = 7;
 constexpr float histogram_width = 22;
+constexpr float narrowest_beside_axes = 340;
+constexpr float lying_height = 10, lying_padding = 9;  // of the bar that lies, and of its panel
 
 struct Box {
   Point2 min, max;
 };
 
-/// The legend stands beside the title, or below it where the view is narrow.
-float top_of(const OverlayInfo& info, Point2 min, Point2 max) {
-  return min.y + margin + (info.clock && max.x - min.x < 520 ? 64.f : 0.f);
-}
-
-/// A panel of this size at the right edge.
-Box panel(const RenderTheme& theme, Painter& painter, Point2 max, float top, float width, float height) {
-  const Box box{{max.x - margin - width, top}, {max.x - margin, top + height}};
-  painter.rectangle(box.min, box.max, theme.panel, 6);
-  return box;
+/// The legend stands in the upper right corner. Where it lies, it is in the lower one: beside the axes, or above them.
+Box place(const OverlayInfo& info, Point2 min, Point2 max, float width, float height) {
+  float bottom = min.y + margin + height;
+  if (legend_lies(min, max))
+    bottom = max.y - margin - ((info.axes || info.scale_bar) && max.x - min.x < narrowest_beside_axes ? 56.f : 0.f);
+  return {{max.x - margin - width, bottom - height}, {max.x - margin, bottom}};
 }
 
 void draw_categories(const OverlayInfo& info, const RenderTheme& theme, Painter& painter, Point2 min, Point2 max) {
   constexpr float row = 20;
   // More names than fit end with how many are missing.
-  const float room = max.y - top_of(info, min, max) - margin - 100;
+  const float height = max.y - min.y;
+  const float room = legend_lies(min, max) ? 0.45f * height - 2 * padding - title_size : height - 2 * margin - 100;
   const auto most = static_cast<std::size_t>(std::max(1.f, room / row));
   std::vector<std::string> names = info.material_names;
   if (names.empty()) return;
@@ -47,8 +46,9 @@ void draw_categories(const OverlayInfo& info, const RenderTheme& theme, Painter&
   const std::string title(field_info(info.field).label);
   float width = painter.text_width(title, title_size, FontWeight::bold);
   for (const std::string& name : names) width = std::max(width, 20 + painter.text_width(name, text_size));
-  const Box box = panel(theme, painter, max, top_of(info, min, max), width + 2 * padding,
-                        2 * padding + title_size + row * static_cast<float>(names.size()) + 2);
+  const Box box =
+      place(info, min, max, width + 2 * padding, 2 * padding + title_size + row * static_cast<float>(names.size()) + 2);
+  painter.rectangle(box.min, box.max, theme.panel, 6);
   const float x = box.min.x + padding;
   float y = box.min.y + padding + title_size - 2;
   painter.text({x, y}, title, title_size, theme.text, TextAlign::left, FontWeight::bold);
@@ -60,14 +60,17 @@ void draw_categories(const OverlayInfo& info, const RenderTheme& theme, Painter&
   }
 }
 
-void draw_gradient(const OverlayInfo& info, Painter& painter, const Box& bar) {
+void draw_gradient(const OverlayInfo& info, Painter& painter, const Box& bar, bool lies) {
   const ColormapKind kind =
       map_of(info.scale) == FieldScale::diverging ? ColormapKind::diverging : ColormapKind::sequential;
-  // Each band reaches down to the bar's end and is covered by the next: no seams between antialiased edges.
+  // Each band reaches to the bar's end and is covered by the next: no seams between antialiased edges.
   constexpr int bands = 96;
   for (int k = 0; k < bands; ++k) {
-    const float top = bar.min.y + (bar.max.y - bar.min.y) * static_cast<float>(k) / bands;
-    painter.rectangle({bar.min.x, top}, bar.max, sample(kind, 1 - (k + 0.5) / bands));
+    const float share = static_cast<float>(k) / bands;
+    const Point2 from = lies ? Point2{bar.min.x + share * (bar.max.x - bar.min.x), bar.min.y}
+                             : Point2{bar.min.x, bar.min.y + share * (bar.max.y - bar.min.y)};
+    const double u = (k + 0.5) / bands;
+    painter.rectangle(from, bar.max, sample(kind, lies ? u : 1 - u));
   }
 }
 
@@ -86,28 +89,54 @@ void draw_histogram(const OverlayInfo& info, const RenderTheme& theme, Painter& 
   }
 }
 
-TickSet ticks_of(const OverlayInfo& info, float height) {
+/// At least two, else nobody could tell how much a colour means.
+TickSet ticks_of(const OverlayInfo& info, float length, float apart) {
   const auto fit = [](const std::vector<Tick>&) { return true; };
-  const int most = std::clamp(static_cast<int>(height / 34), 2, 7);
-  if (info.scale == ColorScale::logarithmic) return logarithmic_ticks(info.range.min, info.range.max, most, fit);
-  return linear_ticks(info.range.min, info.range.max, most, fit);
+  TickSet ticks;
+  for (int most = std::clamp(static_cast<int>(length / apart), 2, 7); most <= 7; ++most) {
+    ticks = info.scale == ColorScale::logarithmic ? logarithmic_ticks(info.range.min, info.range.max, most, fit)
+                                                  : linear_ticks(info.range.min, info.range.max, most, fit);
+    if (ticks.major.size() > 1) break;
+  }
+  return ticks;
 }
 
 /// All sizes of the bar and what is beside it.
 struct BarLayout {
   TickSet ticks;
   std::string title;
+  bool lies = false;
   bool beside = true;  ///< the title runs up beside the bar, else it lies above
   Box panel, bar;
 };
-std::optional<BarLayout> lay_out(const OverlayInfo& info, Painter& painter, Point2 min, Point2 max) {
+
+std::string title_of(const OverlayInfo& info, const TickSet& ticks) {
   const FieldInfo& field = field_info(info.field);
-  const float room = max.y - top_of(info, min, max) - margin - 2 * padding;
+  return axis_title(info.field_label.empty() ? std::string(field.label) : info.field_label, std::string(field.unit),
+                    ticks.exponent);
+}
+
+BarLayout lay_out_lying(const OverlayInfo& info, Painter& painter, Point2 min, Point2 max) {
+  BarLayout l;
+  l.lies = true;
+  const float length = std::clamp(0.34f * (max.x - min.x), 100.f, 200.f);
+  l.ticks = ticks_of(info, length, 45);
+  l.title = title_of(info, l.ticks);
+  const float inside = std::max(length, painter.text_width(l.title, title_size)), sides = lying_padding + 5;
+  l.panel = place(info, min, max, inside + 2 * sides,
+                  2 * lying_padding + title_size + 6 + lying_height + tick_gap + text_size);
+  const float top = l.panel.min.y + lying_padding + title_size + 6;
+  l.bar = {{l.panel.min.x + sides, top}, {l.panel.max.x - sides, top + lying_height}};
+  return l;
+}
+
+std::optional<BarLayout> lay_out(const OverlayInfo& info, Painter& painter, Point2 min, Point2 max) {
+  if (legend_lies(min, max)) return lay_out_lying(info, painter, min, max);
+  const float room = max.y - min.y - 2 * margin - 2 * padding;
   float height = std::min(room, std::clamp(0.36f * (max.y - min.y), 70.f, 260.f));
   BarLayout l;
-  l.ticks = ticks_of(info, height);
-  l.title = axis_title(info.field_label.empty() ? std::string(field.label) : info.field_label, std::string(field.unit),
-                       l.ticks.exponent);
+  l.ticks = ticks_of(info, height, 34);
+  l.title = title_of(info, l.ticks);
   float labels = 0;
   for (const Tick& t : l.ticks.major) labels = std::max(labels, painter.text_width(t.label, text_size));
   const float counts = info.histogram.empty() ? 0 : histogram_width + 2;
@@ -118,11 +147,26 @@ std::optional<BarLayout> lay_out(const OverlayInfo& info, Painter& painter, Poin
   const float above = l.beside ? 0 : title_size + 12;
   height = std::min(height, room - above);
   if (height < 3 * text_size) return std::nullopt;  // better none than one that cannot be read
-  const float top = top_of(info, min, max), panel_width = width + 2 * padding;
-  l.panel = {{max.x - margin - panel_width, top}, {max.x - margin, top + height + above + 2 * padding}};
-  const float right = l.panel.max.x - padding - counts;
-  l.bar = {{right - bar_width, top + padding + above}, {right, top + padding + above + height}};
+  l.panel = place(info, min, max, width + 2 * padding, height + above + 2 * padding);
+  const float right = l.panel.max.x - padding - counts, top = l.panel.min.y + padding + above;
+  l.bar = {{right - bar_width, top}, {right, top + height}};
   return l;
+}
+
+void draw_tick(const Tick& t, const OverlayInfo& info, const RenderTheme& theme, Painter& painter, const BarLayout& l) {
+  const Box& bar = l.bar;
+  const auto u = static_cast<float>(map_position(t.value, info.range, info.scale));
+  if (l.lies) {
+    const float x = bar.min.x + u * (bar.max.x - bar.min.x);
+    const std::array mark{Point2{x, bar.max.y}, Point2{x, bar.max.y + 4}};
+    painter.polyline(mark, theme.text_muted, 1);
+    painter.text({x, bar.max.y + tick_gap + 0.8f * text_size}, t.label, text_size, theme.text, TextAlign::centre);
+    return;
+  }
+  const float y = bar.max.y - u * (bar.max.y - bar.min.y);
+  const std::array mark{Point2{bar.min.x - 4, y}, Point2{bar.min.x, y}};
+  painter.polyline(mark, theme.text_muted, 1);
+  painter.text({bar.min.x - tick_gap, y + 0.36f * text_size}, t.label, text_size, theme.text, TextAlign::right);
 }
 
 void draw_scalar(const OverlayInfo& info, const RenderTheme& theme, Painter& painter, Point2 min, Point2 max) {
@@ -130,20 +174,16 @@ void draw_scalar(const OverlayInfo& info, const RenderTheme& theme, Painter& pai
   if (!l) return;
   const Box& bar = l->bar;
   painter.rectangle(l->panel.min, l->panel.max, theme.panel, 6);
-  if (l->beside)
+  if (l->lies)
+    painter.text({bar.min.x, bar.min.y - 8}, l->title, title_size, theme.text);
+  else if (l->beside)
     painter.text({l->panel.min.x + padding + 0.75f * title_size, 0.5f * (bar.min.y + bar.max.y)}, l->title, title_size,
                  theme.text, TextAlign::centre, FontWeight::regular, 1);
   else
     painter.text({l->panel.max.x - padding, bar.min.y - 14}, l->title, title_size, theme.text, TextAlign::right);
-  draw_gradient(info, painter, bar);
-  if (!info.histogram.empty()) draw_histogram(info, theme, painter, bar);
-  for (const Tick& t : l->ticks.major) {
-    const auto u = static_cast<float>(map_position(t.value, info.range, info.scale));
-    const float y = bar.max.y - u * (bar.max.y - bar.min.y);
-    const std::array mark{Point2{bar.min.x - 4, y}, Point2{bar.min.x, y}};
-    painter.polyline(mark, theme.text_muted, 1);
-    painter.text({bar.min.x - tick_gap, y + 0.36f * text_size}, t.label, text_size, theme.text, TextAlign::right);
-  }
+  draw_gradient(info, painter, bar, l->lies);
+  if (!info.histogram.empty() && !l->lies) draw_histogram(info, theme, painter, bar);
+  for (const Tick& t : l->ticks.major) draw_tick(t, info, theme, painter, *l);
 }
 
 }  // namespace
@@ -156,12 +196,12 @@ void draw_color_bar(const OverlayInfo& info, const RenderTheme& theme, Painter& 
 }
 
 std::optional<BarPlace> color_bar_place(const OverlayInfo& info, Painter& painter, Point2 min, Point2 max) {
-  if (!info.color_bar || max.y - min.y <= 140 || !(info.range.max > info.range.min) ||
+  if (!info.color_bar || max.y - min.y <= lowest_with_legend || !(info.range.max > info.range.min) ||
       info.scale == ColorScale::categorical)
     return std::nullopt;
   const auto l = lay_out(info, painter, min, max);
   if (!l) return std::nullopt;
-  return BarPlace{l->bar.min, l->bar.max, l->panel.min, l->panel.max};
+  return BarPlace{l->bar.min, l->bar.max, l->panel.min, l->panel.max, l->lies};
 }
 
 }  // namespace pf

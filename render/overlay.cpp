@@ -202,21 +202,32 @@ OverlayInfo OverlayInfo::of(const Snapshot& snapshot, const Renderer& renderer, 
   return info;
 }
 
-ViewMargins overlay_margins(int dimension) {
-  ViewMargins m{28, 128, 68, 66};
-  if (dimension == 3) m = {28, 128, 64, 40};
+bool legend_lies(Point2 min, Point2 max) {
+  const float width = max.x - min.x, height = max.y - min.y;
+  return height >= lowest_with_lying_legend && (width < 520 || height < 380);
+}
+
+ViewMargins overlay_margins(int dimension, double width, double height) {
+  ViewMargins m{28, 132, 68, 66};
+  if (dimension == 3) m = {28, 132, 64, 40};
+  if (legend_lies({0, 0}, {static_cast<float>(width), static_cast<float>(height)}))
+    m = {28, 28, 54, 82};
+  else if (height < static_cast<double>(lowest_with_lying_legend))
+    m = {28, 140, 54, 66};
   return m;
 }
 
 void draw_overlay(const OverlayInfo& info, const RenderTheme& theme, Painter& painter, Point2 min, Point2 max) {
   painter.push_clip(min, max);
   draw_title(info, theme, painter, min);
-  // In a low view the bar would hide what it explains.
-  if (info.color_bar && max.y - min.y > 140) draw_color_bar(info, theme, painter, min, max);
-  float x = min.x + margin + 4;
-  const float y = max.y - margin;
+  if (info.color_bar && max.y - min.y > lowest_with_legend) draw_color_bar(info, theme, painter, min, max);
+  float x = min.x + margin + 4, y = max.y - margin;
   if (info.axes) x = draw_axes(info, theme, painter, min, max);
   if (info.scale_bar) x = draw_scale_bar(info, theme, painter, x, y, std::min(120.f, 0.25f * (max.x - min.x)));
+  if (info.color_bar && legend_lies(min, max)) {  // the line below is taken
+    x = min.x + margin + 4;
+    y -= 90;
+  }
   x = draw_arrow_key(info, theme, painter, x, y);
   draw_cross_key(info, theme, painter, x, y);
   painter.pop_clip();

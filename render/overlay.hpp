@@ -41,11 +41,18 @@ void draw_overlay(const OverlayInfo& info, const RenderTheme& theme, Painter& pa
 struct BarPlace {
   Point2 min, max;              ///< of the coloured bar: its upper end is the largest value
   Point2 panel_min, panel_max;  ///< with all that is written beside it
+  bool lies = false;            ///< the largest value is at the right, not above
 };
 std::optional<BarPlace> color_bar_place(const OverlayInfo& info, Painter& painter, Point2 min, Point2 max);
 
-/// Room that the overlay needs around the content [units of the painter]: margins for Camera's fit.
-ViewMargins overlay_margins(int dimension);
+/// In a low or narrow view the legend of the colours lies at the bottom: a high one would stand before the content. Not
+/// in one that is lower than this: there nothing but the legend would be left.
+constexpr float lowest_with_lying_legend = 200;
+bool legend_lies(Point2 min, Point2 max);
+
+/// Room that the overlay needs around the content of a view of this size [units of the painter]: margins for Camera's
+/// fit.
+ViewMargins overlay_margins(int dimension, double width, double height);
 
 /// A round length (1, 2 or 5 times a power of ten) of at most `most` metres, and its text: {0.05, "5 cm"}.
 struct RoundLength {

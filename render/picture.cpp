@@ -71,8 +71,9 @@ Image PictureMaker::draw(const Snapshot& snapshot) {
 }
 
 Camera picture_camera(int dimension, const ViewBounds& bounds, ViewSize size, bool overlay) {
-  ViewMargins margins = overlay ? overlay_margins(dimension) : ViewMargins{24, 24, 24, 24};
   const double scale = scale_of(size);
+  ViewMargins margins =
+      overlay ? overlay_margins(dimension, size.width / scale, size.height / scale) : ViewMargins{24, 24, 24, 24};
   margins = {scale * margins.left, scale * margins.right, scale * margins.top, scale * margins.bottom};
   return fitted_camera(dimension, bounds, size, margins);
 }

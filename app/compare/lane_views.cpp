@@ -44,6 +44,7 @@ std::string fitted(Painter& painter, std::string text, float size, float width) 
 bool roomy(Point2 low, Point2 high) {
   return high.y - low.y > 11 * base_em && high.x - low.x > 13 * base_em;
 }
+constexpr float head_height = 2.85F * base_em, brief_head_height = 1.95F * base_em;
 
 Color text_color(Theme theme) {
   return palette(theme).text;
@@ -60,14 +61,15 @@ void draw_head(Painter& painter, const LaneFrame& lane, std::size_t index, Theme
   const std::string words = detailed ? fitted(painter, distance_words(lane, index), 0.85F * em, room) : "";
   const float wide = std::max(painter.text_width(name, em, FontWeight::bold), painter.text_width(words, 0.85F * em));
   Color back = palette(theme).window;
-  back.a = 0.8F;
+  back.a = 0.9F;
   painter.rectangle({corner.x + 0.3F * em, corner.y + 0.35F * em},
-                    {left + wide + 0.5F * em, corner.y + (detailed ? 2.85F : 2.35F) * em}, back, 0.4F * em);
-  const Point2 centre{corner.x + 1.3F * em, corner.y + 1.35F * em};
+                    {left + wide + 0.5F * em, corner.y + (detailed ? head_height : brief_head_height)}, back,
+                    0.4F * em);
+  const Point2 centre{corner.x + 1.3F * em, corner.y + (detailed ? 1.35F : 1.15F) * em};
   painter.circle(centre, 0.72F * em, colors.series[index]);
   painter.text({centre.x, centre.y + 0.36F * em}, std::to_string(index + 1), em,
                theme == Theme::dark ? Color{0, 0, 0, 1} : Color{1, 1, 1, 1}, TextAlign::centre, FontWeight::bold);
-  painter.text({left, corner.y + (detailed ? 1.3F : 1.7F) * em}, name, em, text_color(theme), TextAlign::left,
+  painter.text({left, corner.y + (detailed ? 1.3F : 1.5F) * em}, name, em, text_color(theme), TextAlign::left,
                FontWeight::bold);
   if (detailed)
     painter.text({left, corner.y + 2.4F * em}, words, 0.85F * em,
@@ -106,6 +108,15 @@ Rect LaneViews::place(const Rect& view, std::size_t lanes, float aspect, Point2 
   for (const Rect& cell : cells_)
     if (cell.contains(mouse.x, mouse.y)) return cell;
   return cells_.front();
+}
+
+ViewMargins LaneViews::margins(int dimension, float overlay_scale) const {
+  const Point2 size{cells_.front().width / overlay_scale, cells_.front().height / overlay_scale};
+  ViewMargins m = overlay_margins(dimension, static_cast<double>(size.x), static_cast<double>(size.y));
+  const bool room = roomy({0, 0}, size);
+  if (!room) m = {12, 12, 0, 12};
+  m.top = static_cast<double>(room ? head_height : brief_head_height) + 6;
+  return m;
 }
 
 void LaneViews::forget() {

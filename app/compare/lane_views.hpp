@@ -27,6 +27,8 @@ class LaneViews {
   /// The cell under the mouse, the first one where there is none; all have its size.
   Rect place(const Rect& view, std::size_t lanes, float aspect, Point2 mouse);
   const std::vector<Rect>& cells() const { return cells_; }
+  /// Room for what is written over a lane, in units of the overlay.
+  ViewMargins margins(int dimension, float overlay_scale) const;
   /// Into the framebuffer, before ImGui draws over it.
   void draw(const AppContext& context, const CompareDesk& desk, const Camera& camera, float pixels_per_unit,
             float framebuffer_height, float overlay_scale);

@@ -62,12 +62,15 @@ void choose_plot(const std::vector<const Panel*>& plots, PanelMemory& m) {
   ImGui::EndCombo();
 }
 
-/// The panel below its header, as high as it needs to be, at most `room`.
+/// The panel below its header, as high as it needs to be, at most `room`; where that is next to nothing, as in a low
+/// window with large text, the whole column scrolls instead.
 void draw_open_panel(AppContext& context, const Panel& panel, float room) {
   PanelMemory& m = memory(context);
+  const bool scrolls = room > em(14);
   const float most = std::max(em(10), room - ImGui::GetStyle().ItemSpacing.y);
   float& height = m.panel_heights[panel.title];
-  ImGui::BeginChild(panel.title, ImVec2(0, height > 0 ? std::min(height, most) : most));
+  ImGui::BeginChild(panel.title, ImVec2(0, height > 0 && (!scrolls || height < most) ? height : most), false,
+                    scrolls ? 0 : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   gap(0.4F);
   ImGui::Indent(em(0.25F));
   // A child-less way to keep the panel clear of the right edge: everything in it measures the available width.
@@ -99,6 +102,10 @@ void draw_left_column(AppContext& context) {
   const float room = ImGui::GetContentRegionAvail().y - static_cast<float>(shown.size()) * header;
   for (const auto& [panel, here] : shown) {
     const bool open = m.open_left == here;
+    if (open && m.shown_left != here) {  // to be seen whole, once it is known how high it is
+      ImGui::SetScrollHereY(0);
+      if (m.panel_heights[panel->title] > 0) m.shown_left = here;
+    }
     if (panel_header(panel->title, open)) m.open_left = open ? -1 : here;
     if (open) draw_open_panel(context, *panel, room);
   }

@@ -11,6 +11,7 @@
 #include "app/widgets/text.hpp"
 #include "app/widgets/units.hpp"
 #include "core/output/export.hpp"
+#include "render/overlay.hpp"
 
 namespace pf::app {
 
@@ -159,7 +160,10 @@ void Recorder::draw_mark(AppContext& context, const Rect& view, bool hidden) {
   const Color red = palette(context.view.theme).error;
   std::string text = std::to_string(frames_) + (frames_ == 1 ? " frame" : " frames");
   if (!on_) text = "writing the last of " + text;
-  ImGui::SetNextWindowPos({view.right() - em(0.6F), view.bottom() - em(0.6F)}, ImGuiCond_Always, {1, 1});
+  // At the lower right, or above where the colours' legend lies there.
+  const bool above = legend_lies({0, 0}, {view.width / em() * base_em, view.height / em() * base_em});
+  ImGui::SetNextWindowPos({view.right() - em(0.6F), above ? view.y + em(0.6F) : view.bottom() - em(0.6F)},
+                          ImGuiCond_Always, {1, above ? 0.0F : 1.0F});
   // Submitted even where it is not to be seen: a click on its button must not be lost.
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, hidden ? 0.001F : 1.0F);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, em(0.4F));

@@ -73,7 +73,8 @@ class ArrangeTool final : public Tool {
       draw_lines(painter, map, shape_lines(shape_, context.scene, 1e3 * context.scene.grid.spacing), {1, 1, 1, 1});
     if (!knobs_) return;
     const float em = map.em();
-    painter.ring(knobs_->centre, knobs_->radius, {1, 1, 1, 0.35F}, 0.08F * em);
+    painter.ring(knobs_->centre, knobs_->radius, {0, 0, 0, 0.4F}, 0.16F * em);
+    painter.ring(knobs_->centre, knobs_->radius, {1, 1, 1, 0.8F}, 0.08F * em);
     knob(painter, knobs_->turn, true, mouse && over(*mouse, knobs_->turn));
     knob(painter, knobs_->scale, false, mouse && over(*mouse, knobs_->scale));
     if (held && mouse) label(painter, mouse->pixel, told_);

@@ -72,8 +72,10 @@ class DrawTool final : public Tool {
       std::vector<Vec3> line = corners_;
       if (mouse) line.push_back(to_);
       draw_lines(painter, map, {line}, {1, 1, 1, 1});
-      if (const auto first = map.to_pixel(corners_.front()); first && corners_.size() > 2)
+      if (const auto first = map.to_pixel(corners_.front()); first && corners_.size() > 2) {
+        painter.ring(*first, 0.5F * em, {0, 0, 0, 0.6F}, 0.24F * em);
         painter.ring(*first, 0.5F * em, {1, 1, 1, 1}, 0.12F * em);
+      }
     }
     // Where a press would begin: snapped, so it may be beside the mouse.
     if (mouse && !held_)

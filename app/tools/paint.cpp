@@ -53,17 +53,15 @@ class PaintTool final : public Tool {
       if (text_button("Add another")) edit_scene(context, added(context.scene, ItemKind::material));
       return;
     }
-    for (std::size_t k = 0; k < materials.size(); ++k) {
-      const Color c = categorical_color(k);
-      ImGui::PushID(static_cast<int>(k));
-      const ImVec2 at = ImGui::GetCursorScreenPos();
-      const float h = ImGui::GetFrameHeight();
-      ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + 0.2F * h}, {at.x + 0.6F * h, at.y + 0.8F * h},
-                                                ImGui::GetColorU32({c.r, c.g, c.b, 1}), 0.12F * h);
-      ImGui::Dummy({0.6F * h, h});
-      ImGui::SameLine();
-      if (ImGui::RadioButton(materials[k].name.c_str(), chosen(context) == k)) material_ = materials[k].name;
-      ImGui::PopID();
+    const std::size_t now = chosen(context);
+    swatch(now, ImGui::GetFrameHeight());
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    if (ImGui::BeginCombo("##material", materials[now].name.c_str())) {
+      for (std::size_t k = 0; k < materials.size(); ++k) {
+        swatch(k, ImGui::GetTextLineHeight());
+        if (ImGui::Selectable(materials[k].name.c_str(), now == k)) material_ = materials[k].name;
+      }
+      ImGui::EndCombo();
     }
     brush_.draw_size();
     const StrokeSums* sums = context.snapshot ? &context.snapshot->report.strokes : nullptr;
@@ -81,6 +79,16 @@ class PaintTool final : public Tool {
   }
 
  private:
+  /// The material's colour, at the left of a line that is so high.
+  static void swatch(std::size_t material, float height) {
+    const Color c = categorical_color(material);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float side = 0.9F * ImGui::GetFontSize(), y = at.y + (height - side) / 2;
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, y}, {at.x + side, y + side},
+                                              ImGui::GetColorU32({c.r, c.g, c.b, 1}), 0.2F * side);
+    ImGui::Dummy({side, height});
+    ImGui::SameLine();
+  }
   /// Index of the material to paint with: until one is chosen, the one that is selected, or the second.
   std::size_t chosen(const AppContext& context) const {
     const auto& materials = context.scene.materials;

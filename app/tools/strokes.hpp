@@ -4,11 +4,12 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cfloat>
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "app/tools/tool.hpp"
+#include "app/widgets/slider.hpp"
 
 namespace pf::app {
 
@@ -18,14 +19,16 @@ class Brush {
   explicit Brush(double cells) : cells_(cells) {}
   static constexpr double least = 0.5, most = 40;  ///< [cells]
   double radius(const Snapshot& s) const { return cells_ * s.spacing; }
-  /// A slider for it.
+  /// A slider for it, of the height of two lines.
   void draw_size() {
-    ImGui::Text("Radius: %.1f cells", cells_);
-    auto cells = static_cast<float>(cells_);
-    ImGui::SetNextItemWidth(-FLT_MIN);
-    if (ImGui::SliderFloat("##size", &cells, static_cast<float>(least), 12, "",
-                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
-      cells_ = static_cast<double>(cells);
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f cells", cells_);
+    const float left = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
+    ImGui::TextDisabled("Radius");
+    ImGui::SameLine(left + width - ImGui::CalcTextSize(text).x);
+    ImGui::TextUnformatted(text);
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
+    slider("##size", cells_, {least, 12, true}, std::nan(""));
   }
   void turn(float notches) { cells_ = std::clamp(cells_ * std::pow(1.15, static_cast<double>(notches)), least, most); }
   /// A dark line under a light one shows on every colour.

@@ -49,12 +49,13 @@ bool cross(const char* id) {
 }  // namespace
 
 bool room_for_list() {
-  return ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x > em(26);
+  return ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x > em(28);
 }
 
 bool begin_run_list() {
   if (!room_for_list()) return false;
-  const float width = std::min(em(16), ImGui::GetContentRegionAvail().x * 0.4F);
+  // The table of Newton's iterations needs as much as the least.
+  const float width = std::clamp(ImGui::GetContentRegionAvail().x * 0.4F, em(15.4F), em(16));
   ImGui::BeginChild("legend", ImVec2(width, 0), false, ImGuiWindowFlags_NoBackground);
   return true;
 }

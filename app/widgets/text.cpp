@@ -75,6 +75,9 @@ void property(std::string_view label, std::string_view value) {
 }
 
 bool text_button(const char* label) {
+  // At the beginning of a line its text is where all text begins.
+  const float begin = ImGui::GetCursorStartPos().x;
+  if (ImGui::GetCursorPosX() - begin < 1) ImGui::SetCursorPosX(begin - ImGui::GetStyle().FramePadding.x);
   ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
   const bool pressed = ImGui::SmallButton(label);
   ImGui::PopStyleColor();
