@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "app/theme.hpp"
@@ -62,6 +63,24 @@ void labelled(const char* label, const std::string& text) {
   wrapped(text);
 }
 
+constexpr std::array<std::pair<const char*, const char*>, 15> mouse_rows{{
+    {"Left drag", "Grab the material"},
+    {"Wheel while dragging", "Radius of the grab"},
+    {"Click", "Select a particle"},
+    {"Ctrl+click", "Select a node of the grid"},
+    {"Click with Pin", "Hold the material, let it go"},
+    {"Drag with Push", "A ball pushes it aside"},
+    {"Drag with Cut", "Take the material away"},
+    {"Drag with Paint", "Make it another material"},
+    {"Click with Probe", "Place a probe"},
+    {"Left drag beside it", "2D: move, 3D: turn"},
+    {"Right drag", "2D: move, 3D: turn"},
+    {"Middle drag", "Move"},
+    {"Wheel", "Zoom"},
+    {"Ctrl+click a slider", "Type a value"},
+    {"Drop a file", "Open the scene"},
+}};
+
 }  // namespace
 
 void Workbench::draw_dialogs() {
@@ -117,7 +136,7 @@ void Workbench::draw_problems() {
     const std::size_t count = context_.problems.size();
     wrapped(count == 1 ? "has a problem:" : "has " + std::to_string(count) + " problems:");
   }
-  const float below = ImGui::GetFrameHeightWithSpacing() + em;
+  const float below = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().ItemSpacing.y + 0.5f * em + 1;
   const bool scrolls = context_.problems.size() > 4;
   if (scrolls) ImGui::BeginChild("list", {0, ImGui::GetContentRegionAvail().y - below});
   for (const Problem& problem : context_.problems) {
@@ -152,32 +171,30 @@ void Workbench::draw_help() {
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(what);
   };
-  if (ImGui::BeginTable("columns", 2, ImGuiTableFlags_SizingStretchSame)) {
-    ImGui::TableNextColumn();
-    if (ImGui::BeginTable("keys", 2)) {
-      ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, 7.5f * em);
-      for (const KeyBinding& b : key_bindings())
-        if (b.key != 0) row(b.shortcut, b.label);
-      ImGui::EndTable();
-    }
-    ImGui::TableNextColumn();
-    if (ImGui::BeginTable("mouse", 2)) {
-      ImGui::TableSetupColumn("gesture", ImGuiTableColumnFlags_WidthFixed, 9.5f * em);
-      row("Left drag", "Grab the material");
-      row("Wheel while dragging", "Radius of the grab");
-      row("Click", "Select a particle");
-      row("Ctrl+click", "Select a node of the grid");
-      row("Click with Pin", "Hold the material, let it go");
-      row("Drag with Push", "A ball pushes it aside");
-      row("Left drag beside it", "2D: move, 3D: turn");
-      row("Right drag", "2D: move, 3D: turn");
-      row("Middle drag", "Move");
-      row("Wheel", "Zoom");
-      row("Ctrl+click a slider", "Type a value");
-      row("Drop a file", "Open the scene");
-      ImGui::EndTable();
-    }
+  const bool beside = ImGui::GetContentRegionAvail().x > 43 * em;  // else below
+  const auto part = [&](const char* id, float width, const auto& rows) {
+    if (!ImGui::BeginTable(id, 2)) return;
+    ImGui::TableSetupColumn("what is done", ImGuiTableColumnFlags_WidthFixed, width * em);
+    rows();
     ImGui::EndTable();
+  };
+  const auto keys = [&] {
+    for (const KeyBinding& b : key_bindings())
+      if (b.key != 0) row(b.shortcut, b.label);
+  };
+  const auto mouse = [&] {
+    for (const auto& [gesture, what] : mouse_rows) row(gesture, what);
+  };
+  if (beside && ImGui::BeginTable("columns", 2, ImGuiTableFlags_SizingStretchSame)) {
+    ImGui::TableNextColumn();
+    part("keys", 7.5f, keys);
+    ImGui::TableNextColumn();
+    part("mouse", 9.5f, mouse);
+    ImGui::EndTable();
+  } else if (!beside) {
+    part("keys", 10, keys);
+    ImGui::Separator();
+    part("mouse", 10, mouse);
   }
   ImGui::Dummy({0, 0.5f * em});
   if (close_button()) ImGui::CloseCurrentPopup();
@@ -205,7 +222,8 @@ void Workbench::draw_failure_banner() {
   if (context_.status.state != RunState::failed || layout_.view.empty()) return;
   const float em = ImGui::GetFontSize();
   const Rect& view = layout_.view;
-  ImGui::SetNextWindowPos({view.x + view.width / 2, view.y + 2.4f * em}, ImGuiCond_Always, {0.5f, 0});
+  const float top = tools_in_column() ? 2.4f : 3.4f;  // below the tool in hand
+  ImGui::SetNextWindowPos({view.x + view.width / 2, view.y + top * em}, ImGuiCond_Always, {0.5f, 0});
   ImGui::SetNextWindowSize({std::min(40 * em, view.width - 2 * em), 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.4f * em);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));

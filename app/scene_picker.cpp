@@ -49,7 +49,8 @@ void ScenePicker::open(const std::filesystem::path& shipped, const std::vector<s
 }
 
 void ScenePicker::draw_list() {
-  ImGui::BeginChild("scenes", {0, em(20)});
+  const float room = 0.84F * ImGui::GetIO().DisplaySize.y - em(7);  // below it the button
+  ImGui::BeginChild("scenes", {0, std::clamp(room, em(5), em(20))});
   for (int i = 0; i < static_cast<int>(offered_.size()); ++i) {
     const SceneChoice& choice = offered_[static_cast<std::size_t>(i)];
     ImGui::PushID(i);

@@ -98,8 +98,8 @@ void set_sizes(ImGuiStyle& style) {
   style.IndentSpacing = 16;
   style.ScrollbarSize = 12;
   style.GrabMinSize = 12;
-  style.WindowBorderSize = style.ChildBorderSize = style.FrameBorderSize = style.TabBorderSize = 0;
-  style.PopupBorderSize = 1;
+  style.WindowBorderSize = style.FrameBorderSize = style.TabBorderSize = 0;
+  style.PopupBorderSize = style.ChildBorderSize = 1;
   style.ChildRounding = 0;
   style.FrameRounding = style.GrabRounding = style.TabRounding = 4;
   style.PopupRounding = style.WindowRounding = 8;  // docks are square: see part()
@@ -140,7 +140,7 @@ void apply_theme(Theme theme, float scale) {
   set_sizes(style);
   set_colors(style.Colors, palette(theme));
   style.ScaleAllSizes(scale);
-  style.PopupBorderSize = std::max(1.0f, std::round(scale));
+  style.PopupBorderSize = style.ChildBorderSize = std::max(1.0f, std::round(scale));  // child: a menu of a menu
   ImGui::GetStyle() = style;
 }
 

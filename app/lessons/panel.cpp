@@ -161,7 +161,8 @@ void draw_lesson_menu(AppContext& context) {
   for (const Lesson& lesson : *m.lessons) {
     const bool open = context.lesson && context.lesson->lesson().file == lesson.file;
     const std::string minutes = std::to_string(lesson.minutes) + " min";
-    const std::string label = std::to_string(lesson.order) + "  " + lesson.title, about = lesson.about;
+    const std::string indent = lesson.order < 10 ? "  " : "";  // the titles stand below one another
+    const std::string label = indent + std::to_string(lesson.order) + "  " + lesson.title, about = lesson.about;
     if (ImGui::MenuItem(label.c_str(), minutes.c_str(), open)) open_lesson(context, lesson);
     tooltip(about);
   }
