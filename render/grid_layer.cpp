@@ -166,14 +166,19 @@ void GridLayer::upload_bent(const Frame& frame) {
   at.reserve(s.nodes);
   const auto d = static_cast<std::size_t>(s.dimension);
   const auto index = [&](std::size_t i, std::size_t a) { return a < d ? s.node_index[i * d + a] : 0; };
-  for (std::size_t i = 0; i < s.nodes; ++i) at.emplace(lattice_key(index(i, 0), index(i, 1), index(i, 2)), i);
+  // A node with next to no mass goes wherever its few grams are thrown: a line to it would tell of nothing.
+  double heaviest = 0;
+  for (const double m : s.node_mass) heaviest = std::max(heaviest, m);
+  const auto light = [&](std::size_t i) { return i < s.node_mass.size() && s.node_mass[i] < 0.01 * heaviest; };
+  for (std::size_t i = 0; i < s.nodes; ++i)
+    if (!light(i)) at.emplace(lattice_key(index(i, 0), index(i, 1), index(i, 2)), i);
   const auto image = [&](std::size_t i) {
     const Vec3 u = component_vector(s.node_displacement, i, s.dimension);
     return relative(node_position(s, i) + frame.options.bent_magnification * u, bent_anchor_);
   };
   std::vector<Segment> segments;
   for (std::size_t i = 0; i < s.nodes; ++i) {
-    for (std::size_t a = 0; a < d; ++a) {
+    for (std::size_t a = 0; a < d && !light(i); ++a) {
       const auto next = at.find(lattice_key(index(i, 0) + (a == 0), index(i, 1) + (a == 1), index(i, 2) + (a == 2)));
       if (next != at.end()) segments.push_back({image(i), image(next->second), rgba8(frame.theme().bent_grid)});
     }
@@ -190,7 +195,10 @@ void GridLayer::draw(const Frame& frame, InkPrograms& ink) {
     const DataKey key = DataKey::of(frame, frame.options.bent_magnification);
     if (key != bent_key_ || !bent_anchor_.serves(frame)) upload_bent(frame);
     bent_key_ = key;
-    bent_.draw(ink, frame, bent_anchor_, 1.2f, 0, frame.theme().arrow_rim);
+    // Where cells are small, thick lines would hide the material.
+    const double cell = s.spacing * frame.pixels_per_metre / frame.scale();
+    bent_.draw(ink, frame, bent_anchor_, static_cast<float>(std::clamp(0.07 * cell, 0.5, 1.2)), 0,
+               frame.theme().arrow_rim);
   }
   if (frame.options.grid || colored(frame)) {
     const DataKey key = DataKey::of(frame, frame.pixels_per_metre);

@@ -33,9 +33,25 @@ void list_phases(const AppContext& context, const Curves& c) {
   }
 }
 
+constexpr std::size_t most_bars = 100;
+
+/// A value holds over the whole of its step: the line over bars of single steps goes along their tops.
+struct Steps {
+  std::vector<double> x, y;
+};
+Steps along_steps(const std::vector<double>& time, const std::vector<double>& values) {
+  if (values.size() > most_bars) return {time, values};
+  Steps s;
+  for (std::size_t k = 1; k < values.size(); ++k)
+    for (const double t : {time[k - 1], time[k]}) {
+      s.x.push_back(t);
+      s.y.push_back(values[k]);
+    }
+  return s;
+}
+
 /// Bars of the phases on one another, each the mean of as many steps as fit a bar of some pixels.
 void add_bars(Chart& chart, const Curves& c, const ChartTheme& theme) {
-  constexpr std::size_t most_bars = 100;
   const std::size_t n = c.size(), first = n > 0 && c.step_ms[0] == 0 ? 1 : 0;  // no work before the first step
   if (n < first + 2) return;
   const std::size_t bars = std::min(most_bars, n - first);
@@ -75,7 +91,8 @@ void draw_phases_plot(AppContext& context) {
   std::vector<double> stacked(c.size(), 0.0);
   for (std::size_t i = 0; i < c.phase.size(); ++i) {
     for (std::size_t k = 0; k < stacked.size(); ++k) stacked[k] += 1e-3 * c.phase[i][k];
-    add_series(chart, phase_names[i], c.time, stacked, i, Role::current);
+    const Steps steps = along_steps(c.time, stacked);
+    add_series(chart, phase_names[i], steps.x, steps.y, i, Role::current);
   }
   add_bars(chart, c, context.view.theme == Theme::dark ? dark_theme() : light_theme());
   plot(context, "phases", std::move(chart), m.view[3]);

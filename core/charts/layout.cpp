@@ -300,7 +300,8 @@ ChartLayout lay_out(const Chart& chart, const ChartTheme& theme, Point2 min, Poi
     const auto whole = legend_entries(chart, theme, width, painter);
     const float rows = legend_size(whole, legend_columns(whole, width, theme), theme).y / height;
     const bool wide = width >= 38 * em, cells = !chart.cells.empty();
-    if (!(wide && cells) && height >= 12 * em && rows < 0.22f) return arrange(LegendPlace::above);
+    const float most_rows = covered > 0.1 ? 0.3f : 0.22f;
+    if (!(wide && cells) && height >= 12 * em && rows < most_rows) return arrange(LegendPlace::above);
     if (wide) return arrange(LegendPlace::outside_right);
   }
   if (!fits) return inside;
