@@ -72,10 +72,9 @@ bool Workbench::possible(Action action) const {
       case Action::step_back:
       case Action::bad_step:
       case Action::branch:
-      case Action::record:
         return false;
       case Action::step:
-        return context_.compare->status.state != CompareState::finished;
+        return context_.compare->status.state != CompareState::finished && !recorder_.on();
       default:
         break;
     }
@@ -281,8 +280,7 @@ void Workbench::show_scene(const Scene& scene, const fs::path& file, bool run) {
   context_.selected_node.reset();
   context_.selected_item.reset();
   context_.inspected.reset();
-  const FieldInfo* info = find_field(scene.view.color_by);
-  context_.view.color_by(info ? info->field : context_.view.field);
+  context_.view.follow(scene.view);
   fit_next_run_ = true;
   requested_ = snapshot_request(render_options(context_, 1));
   session_.request(requested_);

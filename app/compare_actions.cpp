@@ -21,6 +21,10 @@ void Workbench::follow_comparison() {
 bool Workbench::act_on_comparison(Action action) {
   if (!comparing(context_)) return false;
   Comparison& comparison = context_.compare->comparison;
+  if (recorder_.on()) {  // it leads the lanes
+    if (action == Action::run_pause) recorder_.toggle_pause(context_);
+    return action == Action::run_pause || action == Action::step;
+  }
   switch (action) {
     case Action::run_pause:
       if (context_.compare->status.state == CompareState::running)
@@ -81,7 +85,8 @@ void Workbench::draw_lanes_overlay() {
 
 Image Workbench::view_picture(const PictureRequest& request) {
   if (!comparing(context_) || !lane_views_ || !context_.compare->frame) return view_->picture(context_, request);
-  return lane_views_->picture(context_, *context_.compare, view_->camera(), ImGui::GetFontSize() / base_em);
+  return lane_views_->picture(context_, *context_.compare, view_->camera(), request, window_.pixels_per_unit(),
+                              ImGui::GetFontSize() / base_em);
 }
 
 void Workbench::draw_compare_transport() {
@@ -128,6 +133,8 @@ void Workbench::draw_compare_transport() {
     words += " – some changes need a reset (R)";
   else if (s.state == CompareState::finished)
     words += " – end reached";
+  else if (recorder_.on())
+    words += recorder_.paused() ? " – the record waits" : " – recorded";
   ImGui::TextDisabled("%s", words.c_str());
 }
 

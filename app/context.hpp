@@ -46,6 +46,26 @@ struct ViewState {
     lock_range = log_colors = false;
     symmetric.reset();
   }
+  /// As a scene asks for; what it does not name stays.
+  void follow(const ViewSettings& scene) {
+    const FieldInfo* info = find_field(scene.color_by);
+    color_by(info ? info->field : field);
+    log_colors = scene.color_log;
+    if (!scene.color_min || !scene.color_max) return;
+    lock_range = true;
+    range_min = *scene.color_min;
+    range_max = *scene.color_max;
+  }
+  /// What a scene that is saved now asks for.
+  ViewSettings settings() const {
+    ViewSettings scene;
+    scene.color_by = field_info(field).key;
+    scene.color_log = log_colors;
+    if (!lock_range || !(range_min < range_max) || (log_colors && !(range_min > 0))) return scene;
+    scene.color_min = range_min;
+    scene.color_max = range_max;
+    return scene;
+  }
 };
 
 /// What a scene is made of, as the outline lists it.

@@ -21,7 +21,8 @@ fs::path scenes_folder() {
 
 }  // namespace
 
-bool Workbench::save_to(const fs::path& file, const Scene& scene) {
+bool Workbench::save_to(const fs::path& file, Scene scene) {
+  scene.view = context_.view.settings();
   try {
     save_scene(scene, file);
     remember_file(file);

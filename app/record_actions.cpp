@@ -58,23 +58,23 @@ void Workbench::ask_picture() {
            });
 }
 
-ImageText Workbench::picture_text() const {
+ImageText Workbench::picture_text(double time) const {
   const BuildInfo build = build_info();
   ImageText text{{"Title", context_.scene.name},
                  {"Software", "Pushforward " + std::string(build.version)},
                  {"Commit", std::string(build.commit)},
                  {"Scene hash", scene_hash(context_.scene)}};
-  if (context_.snapshot) {
-    std::string time;
-    append_number(time, context_.snapshot->report.time);
-    text.emplace_back("Time", time + " s");
-  }
+  std::string seconds;
+  append_number(seconds, time);
+  text.emplace_back("Time", seconds + " s");
   return text;
 }
 
 void Workbench::save_picture(const fs::path& file, const Image& image) {
   try {
-    write_png(image, file, picture_text());
+    const double time =
+        comparing(context_) ? context_.compare->status.time : (context_.snapshot ? context_.snapshot->report.time : 0);
+    write_png(image, file, picture_text(time));
     notices_.add("Saved " + file.string());
   } catch (const std::exception& error) {
     report_file_trouble(error.what());
@@ -94,24 +94,32 @@ void Workbench::take_window_picture() {
 }
 
 void Workbench::record_frame() {
-  if (comparing(context_)) recorder_.stop(context_);
+  // What is recorded is one run, or these lanes, from beginning to end.
+  if (recorder_.on() && comparing(context_) != recorder_.of_lanes()) recorder_.stop(context_);
   if (recorder_.follow(context_)) settle_ = std::max(settle_, 2);
   if (std::string trouble = recorder_.take_trouble(); !trouble.empty()) report_file_trouble(trouble);
-  const auto frame = recorder_.wanted(context_);
-  if (!frame || !view_) return;
-  context_.snapshot = frame;
-  Image image;
-  if (recorder_.whole_window()) {
-    hide_mark_ = true;
-    draw();
-    hide_mark_ = false;
-    image = window_.read();
+  if (!view_) return;
+  if (const auto lanes = recorder_.wanted_lanes(context_)) {
+    if (!lane_views_) return;
+    recorder_.take_lanes(context_, recorded_picture(), picture_text(lanes->time));
+  } else if (const auto frame = recorder_.wanted(context_)) {
+    context_.snapshot = frame;
+    recorder_.take(context_, frame, recorded_picture(), picture_text(frame->report.time));
   } else {
-    view_->aim(context_);
-    image = view_->picture(context_, recorder_.picture());
+    return;
   }
-  recorder_.take(context_, frame, std::move(image), picture_text());
   settle_ = std::max(settle_, 1);
+}
+
+Image Workbench::recorded_picture() {
+  if (!recorder_.whole_window()) {
+    view_->aim(context_);
+    return view_picture(recorder_.picture());
+  }
+  hide_mark_ = true;
+  draw();
+  hide_mark_ = false;
+  return window_.read();
 }
 
 }  // namespace pf::app

@@ -128,7 +128,8 @@ void Workbench::draw_transport() {
 void Workbench::draw_transport_buttons() {
   const bool compared = comparing(context_);
   const CompareState lanes = compared ? context_.compare->status.state : CompareState::closed;
-  const bool running = compared ? lanes == CompareState::running : context_.status.state == RunState::running;
+  const bool led = recorder_.on() && !recorder_.paused();  // from one common time to the next
+  const bool running = compared ? lanes == CompareState::running || led : context_.status.state == RunState::running;
   const bool finished = compared ? lanes == CompareState::finished : context_.status.state == RunState::finished;
   const float gap = 0.27f * ImGui::GetFontSize();
   if (icon_button("##run", running ? Icon::pause : Icon::play,

@@ -108,7 +108,8 @@ class Workbench {
   void send_scene(Scene scene);
   void open_file(const std::filesystem::path& file);
   void load_file(const std::filesystem::path& file);
-  bool save_to(const std::filesystem::path& file, const Scene& scene);
+  /// With the colours of the view as it is.
+  bool save_to(const std::filesystem::path& file, Scene scene);
   void save();
   void ask_open();
   void browse();
@@ -141,7 +142,8 @@ class Workbench {
   /// False: it has nothing to do with pictures.
   bool act_on_record(Action action);
   void ask_picture();
-  ImageText picture_text() const;
+  ImageText picture_text(double time) const;
+  Image recorded_picture();
   void save_picture(const std::filesystem::path& file, const Image& image);
   void take_view_picture();
   void take_window_picture();

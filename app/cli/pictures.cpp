@@ -13,7 +13,10 @@ namespace {
 pf::PictureOptions picture_options(const FrameOutput& output, const Scene& scene) {
   pf::PictureOptions options;
   options.size = {output.size.width, output.size.height};
-  if (const FieldInfo* field = find_field(scene.view.color_by)) options.render.field = field->field;
+  const ViewSettings& view = scene.view;
+  if (const FieldInfo* field = find_field(view.color_by)) options.render.field = field->field;
+  options.render.logarithmic = view.color_log;
+  if (view.color_min && view.color_max) options.render.range = ValueRange{*view.color_min, *view.color_max};
   options.render.best_quality = true;
   options.title = scene.name;
   options.overlay = output.overlay;

@@ -115,6 +115,9 @@ void Comparison::renew() {
 void Comparison::publish(bool news) {
   auto fresh = std::make_shared<ComparisonFrame>();
   fresh->time = lanes_.time();
+  fresh->interval = lanes_.interval();
+  fresh->number = lanes_.frame();
+  fresh->at_end = lanes_.finished();
   std::vector<LaneDistance> apart;
   std::shared_ptr<Snapshot> first;
   for (std::size_t k = 0; k < lanes_.lanes().size(); ++k) {
@@ -140,6 +143,7 @@ void Comparison::publish(bool news) {
   }
   for (const LaneDistance& d : apart) lanes_.measured(d);
   tell([&] {
+    fresh->run = status_.run;
     frame_ = fresh;
     news_.distances.insert(news_.distances.end(), apart.begin(), apart.end());
   });

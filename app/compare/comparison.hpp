@@ -24,7 +24,10 @@ struct LaneFrame {
 };
 /// All lanes at one time; where one has failed it stands where it was.
 struct ComparisonFrame {
-  double time = 0;  ///< [s]
+  double time = 0, interval = 0;  ///< [s]
+  std::uint64_t run = 0;          ///< ComparisonStatus::run
+  long number = 0;                ///< of common times since t = 0
+  bool at_end = false;            ///< no lane goes further
   std::vector<LaneFrame> lanes;
 };
 

@@ -203,43 +203,72 @@ void LaneViews::draw_overlay(const AppContext& context, const CompareDesk& desk,
 }
 
 Image LaneViews::picture(const AppContext& context, const CompareDesk& desk, const Camera& camera,
-                         float overlay_scale) {
-  const Rect &first = cells_.front(), &last = cells_.back();
+                         const PictureRequest& request, float pixels_per_unit, float overlay_scale) {
+  // Everything in pixels of the picture from here on; the lanes' cells begin in its corner.
+  const Rect& shown = cells_.front();
   float right = 0;
   for (const Rect& cell : cells_) right = std::max(right, cell.right());
-  const float finer = std::max(1.0F, 1600.0F / (right - first.x));
-  const auto whole = [&](float v) { return static_cast<int>(std::lround(finer * v)); };
-  Image image(whole(right - first.x), whole(last.bottom() - first.y), palette(context.view.theme).border);
+  Rect whole{0, 0, right - shown.x, cells_.back().bottom() - shown.y};
+  const float wanted = request.as_view ? pixels_per_unit : std::max(1.0F, 1600.0F / whole.width);
+  std::vector<Rect> cells;
+  if (request.size.width > 0) {
+    whole.width = static_cast<float>(request.size.width);
+    whole.height = static_cast<float>(request.size.height);
+    cells = lane_cells(whole, cells_.size(), shown.width / shown.height);
+  } else {
+    for (const Rect& cell : cells_)
+      cells.push_back({std::round(wanted * (cell.x - shown.x)), std::round(wanted * (cell.y - shown.y)),
+                       std::round(wanted * cell.width), std::round(wanted * cell.height)});
+    whole.width = std::round(wanted * whole.width);
+    whole.height = std::round(wanted * whole.height);
+  }
+  const Rect& first = cells.front();
+  const float finer = std::min(first.width / shown.width, first.height / shown.height);
+  const ViewSize size{static_cast<int>(first.width), static_cast<int>(first.height)};
   Camera closer = camera;
-  const ViewSize size{whole(first.width), whole(first.height)};
-  if (auto* flat = std::get_if<Camera2D>(&closer))
-    flat->pixels_per_metre *= static_cast<double>(size.width) / static_cast<double>(first.width);
+  if (auto* flat = std::get_if<Camera2D>(&closer)) {
+    flat->pixels_per_metre *= static_cast<double>(finer);
+  } else {
+    auto& orbit = std::get<OrbitCamera>(closer);
+    orbit.distance *= static_cast<double>(first.height / shown.height / finer);
+  }
   RenderOptions options = this->options(context, desk, finer * overlay_scale);
   options.best_quality = true;
+  options.transparent = request.transparent;
   options.selected.reset();
+  Color behind = palette(context.view.theme).border;
+  if (request.transparent) behind.a = 0;
+  Image image(static_cast<int>(whole.width), static_cast<int>(whole.height), behind);
   OffscreenTarget target(size);
-  for (std::size_t k = 0; k < cells_.size() && k < desk.frame->lanes.size(); ++k) {
+  for (std::size_t k = 0; k < cells.size() && k < desk.frame->lanes.size(); ++k) {
     const LaneFrame& lane = desk.frame->lanes[k];
     if (!lane.snapshot) continue;
     target.bind();
     views_[k]->renderer.draw(*lane.snapshot, options, closer, {0, 0, size});
     Image part = target.read();
-    OverlayInfo info = OverlayInfo::of(*lane.snapshot, views_[k]->renderer, options, closer, size);
-    info.clock = k == 0;
-    if (desk.difference) info.field_label = distance_label;
-    info.scale_bar = info.axes = k == 0;
-    PngPainter painter(part, options.pixel_scale);
-    const Point2 end{static_cast<float>(size.width) / options.pixel_scale,
-                     static_cast<float>(size.height) / options.pixel_scale};
-    pf::draw_overlay(info, options.theme, painter, {0, 0}, end);
-    draw_head(painter, lane, k, context.view.theme, {0, 0}, end.x, true);
-    const int x0 = whole(cells_[k].x - first.x), y0 = whole(cells_[k].y - first.y);
+    if (request.transparent) part.unpremultiply();
+    if (request.overlay) write_over(part, context, desk, k, options, closer);
+    const int x0 = static_cast<int>(cells[k].x), y0 = static_cast<int>(cells[k].y);
     for (int y = 0; y < part.height && y0 + y < image.height; ++y) {
       const auto bytes = static_cast<std::size_t>(4 * std::min(part.width, image.width - x0));
       std::memcpy(image.at(x0, y0 + y), part.at(0, y), bytes);
     }
   }
   return image;
+}
+
+void LaneViews::write_over(Image& part, const AppContext& context, const CompareDesk& desk, std::size_t k,
+                           const RenderOptions& options, const Camera& camera) const {
+  const LaneFrame& lane = desk.frame->lanes[k];
+  OverlayInfo info = OverlayInfo::of(*lane.snapshot, views_[k]->renderer, options, camera, {part.width, part.height});
+  info.clock = k == 0;
+  if (desk.difference) info.field_label = distance_label;
+  info.scale_bar = info.axes = k == 0;
+  PngPainter painter(part, options.pixel_scale);
+  const Point2 end{static_cast<float>(part.width) / options.pixel_scale,
+                   static_cast<float>(part.height) / options.pixel_scale};
+  pf::draw_overlay(info, options.theme, painter, {0, 0}, end);
+  draw_head(painter, lane, k, context.view.theme, {0, 0}, end.x, true);
 }
 
 }  // namespace pf::app

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/compare/desk.hpp"
+#include "app/gl_view.hpp"
 #include "app/layout.hpp"
 #include "core/charts/image.hpp"
 #include "render/camera.hpp"
@@ -35,8 +36,9 @@ class LaneViews {
   /// Names, distances, scale, axes and colour bar.
   void draw_overlay(const AppContext& context, const CompareDesk& desk, const Camera& camera, float pixels_per_unit,
                     float overlay_scale, ImDrawList& list) const;
-  /// The lanes as one picture, without panels.
-  Image picture(const AppContext& context, const CompareDesk& desk, const Camera& camera, float overlay_scale);
+  /// The lanes as one picture, without panels, as `request` asks for it.
+  Image picture(const AppContext& context, const CompareDesk& desk, const Camera& camera, const PictureRequest& request,
+                float pixels_per_unit, float overlay_scale);
   void forget();
 
  private:
@@ -52,6 +54,9 @@ class LaneViews {
     std::optional<Shown> shown;
   };
   RenderOptions options(const AppContext& context, const CompareDesk& desk, float pixel_scale);
+  /// What a picture of lane `k` says.
+  void write_over(Image& part, const AppContext& context, const CompareDesk& desk, std::size_t k,
+                  const RenderOptions& options, const Camera& camera) const;
 
   std::vector<Rect> cells_;
   std::vector<std::unique_ptr<View>> views_;

@@ -26,7 +26,9 @@ void draw_solver_panel(AppContext& context) {
   setting_widget(context, "/solver/linear");
   if (context.snapshot && context.snapshot->report.step > 0)
     newest_step(context.snapshot->report, context.status.solver_choice);
-  if (foldable("Advanced")) setting_widget(context, "/solver/max_newton");
+  if (!foldable("Advanced")) return;
+  setting_widget(context, "/solver/max_newton");
+  setting_widget(context, "/solver/line_search");
 }
 
 }  // namespace pf::app

@@ -20,7 +20,8 @@ namespace {
 using What = RecordChoice::What;
 using Show = RecordChoice::Show;
 
-constexpr const char* title = "Record this run";
+// What is written may change while the dialog is the same.
+constexpr const char *title = "Record this run###record", *lanes_title = "Record the lanes side by side###record";
 
 template <typename T>
 void radio(const char* label, T& value, T is, bool first) {
@@ -39,15 +40,19 @@ std::string number(double value) {
 
 }  // namespace
 
-void Recorder::draw_what() {
+void Recorder::draw_what(bool lanes) {
   ImGui::BeginGroup();
   radio("Pictures (PNG)", choice_.what, What::images, true);
   ImGui::SameLine();
   ImGui::BeginDisabled(!have_ffmpeg_);
   radio("Film (MP4)", choice_.what, What::film, false);
   ImGui::EndDisabled();
+  ImGui::BeginDisabled(lanes);
   radio("Files of the particles", choice_.what, What::files, false);
+  ImGui::EndDisabled();
   ImGui::EndGroup();
+  if (lanes && choice_.what == What::files) choice_.what = What::images;
+  if (lanes) muted("Files are of one run: leave the comparison for them.");
   if (!have_ffmpeg_) muted("A film needs ffmpeg, which is not on this machine. Install it, or record pictures.");
   if (!have_ffmpeg_ && choice_.what == What::film) choice_.what = What::images;
 }
@@ -83,13 +88,16 @@ void Recorder::draw_schedule(const AppContext& context) {
   ImGui::SameLine();
   ImGui::SetNextItemWidth(em(7));
   int steps = static_cast<int>(choice_.every.steps);
-  if (ImGui::InputInt(steps == 1 ? "time step" : "time steps", &steps)) {
+  const bool lanes = comparing(context);
+  const char* counted = lanes ? "times that the lanes share" : steps == 1 ? "time step" : "time steps";
+  if (ImGui::InputInt(counted, &steps)) {
     choice_.every.steps = std::max(1, steps);
     choice_.by_steps = true;
   }
+  const double least = lanes ? context.compare->status.interval : time.step;
   const double interval =
-      choice_.by_steps ? static_cast<double>(choice_.every.steps) * time.step : std::max(choice_.every.seconds, 0.0);
-  const double frames = interval > 0 ? 1 + std::floor(time.end / std::max(interval, time.step)) : 0;
+      choice_.by_steps ? static_cast<double>(choice_.every.steps) * least : std::max(choice_.every.seconds, 0.0);
+  const double frames = interval > 0 ? 1 + std::floor(time.end / std::max(interval, least)) : 0;
   std::string note = "From t = 0 to the end at " + quantity(time.end, "s", 3) + ": about " + number(frames) + " frames";
   if (choice_.what == What::film) {
     gap(0.25F);
@@ -129,11 +137,12 @@ void Recorder::draw_dialog(AppContext& context) {
   const float width = std::min(em(34), 0.94F * display.x);
   ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
   ImGui::SetNextWindowSizeConstraints({width, 0}, {width, 0.94F * display.y});
-  if (!ImGui::BeginPopupModal(title, nullptr,
+  const bool lanes = comparing(context);
+  if (!ImGui::BeginPopupModal(lanes ? lanes_title : title, nullptr,
                               ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                                   ImGuiWindowFlags_AlwaysAutoResize))
     return;
-  draw_what();
+  draw_what(lanes);
   if (choice_.what != What::files) draw_picture_choices();
   draw_schedule(context);
   draw_target();
@@ -142,7 +151,9 @@ void Recorder::draw_dialog(AppContext& context) {
     warning(refusal_ + ".");
   }
   gap();
-  const bool at_end = context.status.state == RunState::finished || context.status.state == RunState::failed;
+  const RunState run = context.status.state;
+  const bool at_end = lanes ? context.compare->status.state == CompareState::finished
+                            : run == RunState::finished || run == RunState::failed;
   bool done = flow_button("Cancel", true) ||
               (!ImGui::IsWindowAppearing() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false));
   ImGui::BeginDisabled(at_end);

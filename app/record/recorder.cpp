@@ -68,6 +68,11 @@ bool Recorder::begin(AppContext& context, bool from_start) {
   frames_ = 0;
   taken_step_ = -1;
   on_ = true;
+  film_.reset();
+  if (comparing(context)) {
+    film_.emplace(*context.compare, order.every, from_start);
+    return true;
+  }
   if (from_start) context.session.reset();
   context.session.record(order);
   context.session.run();
@@ -76,7 +81,7 @@ bool Recorder::begin(AppContext& context, bool from_start) {
 
 void Recorder::stop(AppContext& context) {
   if (!std::exchange(on_, false)) return;
-  context.session.record(std::nullopt);
+  if (!film_) context.session.record(std::nullopt);
   if (writer_) return writer_->finish();
   finish(context);
 }
@@ -96,6 +101,11 @@ bool Recorder::follow(AppContext& context) {
   const RecordProgress run = context.session.record_progress();
   const bool files = choice_.what == RecordChoice::What::files;
   const bool more = files && run.frames != std::exchange(frames_, files ? run.frames : frames_);
+  if (on_ && film_) {
+    if (!film_->done() && comparing(context)) return more;
+    stop(context);
+    return true;
+  }
   if (on_) {
     const RunState state = context.status.state;
     const bool at_end = (state == RunState::finished || state == RunState::failed) && run.frames > 0 &&
@@ -115,8 +125,23 @@ bool Recorder::follow(AppContext& context) {
   return true;
 }
 
+void Recorder::toggle_pause(AppContext& context) {
+  if (film_ && comparing(context)) film_->toggle_pause(*context.compare);
+}
+
+std::shared_ptr<const ComparisonFrame> Recorder::wanted_lanes(AppContext& context) {
+  if (!on_ || !film_ || !writer_ || !writer_->room() || !comparing(context)) return nullptr;
+  return film_->due(*context.compare, context.compare->difference ? Field::error : context.view.field);
+}
+
+void Recorder::take_lanes(AppContext& context, Image image, ImageText text) {
+  writer_->add(std::move(image), std::move(text));
+  ++frames_;
+  film_->taken(*context.compare);
+}
+
 std::shared_ptr<const Snapshot> Recorder::wanted(AppContext& context) const {
-  if (!on_ || !writer_ || !writer_->room()) return nullptr;
+  if (!on_ || film_ || !writer_ || !writer_->room()) return nullptr;
   auto frame = context.session.frame_due();
   if (!frame) return nullptr;
   // Published before the window asked for other fields: the same state comes again with them.

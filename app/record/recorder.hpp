@@ -1,12 +1,14 @@
-// Records the run that the window shows: pictures, a film, or files of its particles.
+// Records the run that the window shows, or the lanes of a comparison: pictures, a film, or files of a run's particles.
 #pragma once
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 
+#include "app/compare/lane_film.hpp"
 #include "app/context.hpp"
 #include "app/gl_view.hpp"
 #include "app/record/frame_writer.hpp"
@@ -39,14 +41,22 @@ class Recorder {
   bool on() const { return on_; }
   /// On, or pictures are still being written.
   bool busy() const { return on_ || writer_; }
+  /// What is recorded are the lanes of a comparison.
+  bool of_lanes() const { return film_.has_value(); }
+  /// Of lanes, which the record leads: they wait, or go on.
+  void toggle_pause(AppContext& context);
+  bool paused() const { return film_ && film_->paused(); }
 
   /// Once a turn: notices the run's end, and what went wrong. True when something new is to be shown.
   bool follow(AppContext& context);
   /// The state whose picture is to be taken now; null: none, or the disc is behind.
   std::shared_ptr<const Snapshot> wanted(AppContext& context) const;
+  /// The same of lanes.
+  std::shared_ptr<const ComparisonFrame> wanted_lanes(AppContext& context);
   bool whole_window() const { return choice_.show == RecordChoice::Show::window; }
   PictureRequest picture() const;
   void take(AppContext& context, const std::shared_ptr<const Snapshot>& frame, Image image, ImageText text);
+  void take_lanes(AppContext& context, Image image, ImageText text);
 
   /// What went wrong since the last call; empty: nothing.
   std::string take_trouble() { return std::exchange(trouble_, {}); }
@@ -58,7 +68,7 @@ class Recorder {
   void draw_mark(AppContext& context, const Rect& view, bool hidden);
 
  private:
-  void draw_what();
+  void draw_what(bool lanes);
   void draw_picture_choices();
   void draw_schedule(const AppContext& context);
   void draw_target();
@@ -69,6 +79,7 @@ class Recorder {
   std::string proposed_for_;  ///< the scene that the names were proposed for
   bool open_ = false, have_ffmpeg_ = false, on_ = false;
   std::unique_ptr<FrameWriter> writer_;
+  std::optional<LaneFilm> film_;
   long frames_ = 0;       ///< taken, or written by the worker
   long taken_step_ = -1;  ///< of the newest picture
   std::string trouble_, refusal_;

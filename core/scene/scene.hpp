@@ -87,6 +87,7 @@ struct TransferSettings {
 struct SolverSettings {
   double newton_tolerance = 1e-6;  ///< THEORY T4
   int max_newton = 50;
+  bool line_search = true;  ///< off: Newton's full step, whatever it does to E
   std::string linear = "auto";
   bool operator==(const SolverSettings&) const = default;
 };
@@ -157,6 +158,8 @@ struct Event {
 
 struct ViewSettings {
   std::string color_by = "speed";
+  std::optional<double> color_min, color_max;  ///< ends of the colour map, in the field's unit; neither: automatic
+  bool color_log = false;
   bool operator==(const ViewSettings&) const = default;
 };
 

@@ -65,6 +65,16 @@ void check_references(Reader& reader, const Scene& scene) {
   check_unique(reader, scene.probes, "probes");
 }
 
+void check_colors(Reader& reader, const ViewSettings& view) {
+  if (view.color_min.has_value() != view.color_max.has_value())
+    return reader.refuse(view.color_min ? "/view/color_max" : "/view/color_min", "nothing", "both ends or none");
+  if (!view.color_min) return;
+  if (!(*view.color_min < *view.color_max))
+    reader.refuse("/view/color_max", describe(Json(*view.color_max)), "a number above color_min");
+  if (view.color_log && !(*view.color_min > 0))
+    reader.refuse("/view/color_min", describe(Json(*view.color_min)), "a number above zero with color_log");
+}
+
 std::string adaptive_integrators() {
   std::string names;
   for (const IntegratorInfo& info : integrators())
@@ -191,6 +201,7 @@ Constants read_constants(Reader& reader, const Json& json) {
 
 void check_scene(Reader& reader, const Scene& scene, const Json& document) {
   check_references(reader, scene);
+  check_colors(reader, scene.view);
   check_exact(reader, scene, document);
   if (scene.transfer.type == "apic" && scene.transfer.velocity_mass == "consistent") {
     reader.refuse("/transfer/velocity_mass", "\"consistent\" beside \"apic\"",

@@ -169,6 +169,11 @@ const Table& solver_table() {
         .slider(1, 100)
         .live()
         .help("After this many without convergence the step is tried again with a smaller dt.");
+    t.flag(&SolverSettings::line_search, "line_search", "Line search")
+        .live()
+        .help(
+            "Shortens a Newton step until the energy falls. Off takes every step whole, as textbooks write the method: "
+            "far from the solution it runs away or turns material inside out, and the time step is begun again.");
     t.choice(&SolverSettings::linear, "linear", "Linear solver")
         .choices(solver_choices())
         .live()
@@ -187,6 +192,19 @@ const Table& view_table() {
         .choices(std::move(keys))
         .view()
         .help("The field of the particles or of the grid's nodes that is drawn as colour.");
+    t.number(&ViewSettings::color_min, "color_min", "Least colour", "")
+        .within(1e30)
+        .view()
+        .help(
+            "Value of the colour map's lower end, in the field's unit; with color_max. By default both follow the "
+            "field.");
+    t.number(&ViewSettings::color_max, "color_max", "Largest colour", "")
+        .within(1e30)
+        .view()
+        .help("Value of the colour map's upper end, above color_min.");
+    t.flag(&ViewSettings::color_log, "color_log", "Logarithmic colours")
+        .view()
+        .help("Colours by the logarithm of the field's size; color_min must then be above zero.");
     return t.take();
   }();
   return table;

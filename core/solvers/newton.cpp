@@ -42,6 +42,7 @@ class Minimiser {
   bool search(NewtonIteration& record);
   bool search_energy(NewtonIteration& record, double slope);
   bool search_residual(NewtonIteration& record);
+  bool take_whole_step(NewtonIteration& record);
   NewtonResult finish(NewtonStatus status) {
     result_.status = status;
     result_.residual = residual_;
@@ -291,8 +292,23 @@ bool Minimiser<D>::search_residual(NewtonIteration& record) {
   return false;
 }
 
+/// Newton's method as it stands in textbooks. False: E ends before the step does, there is nothing to go on from.
+template <int D>
+bool Minimiser<D>::take_whole_step(NewtonIteration& record) {
+  trial_ = u_ + d_;
+  set_.project_from(u_, g_, active_, trial_);
+  record.step_length = 1;
+  const double E = objective_.gradient(trial_, trial_g_);
+  if (!std::isfinite(E)) return false;
+  E_ = E;
+  u_.swap(trial_);
+  g_.swap(trial_g_);
+  return true;
+}
+
 template <int D>
 bool Minimiser<D>::search(NewtonIteration& record) {
+  if (!settings_.line_search) return take_whole_step(record);
   const double slope = set_.slope(u_, g_, d_);
   if (!(slope < 0) || !d_.allFinite()) return false;
   const bool visible = -slope > 1e-13 * objective_.energy_scale();
@@ -332,6 +348,10 @@ NewtonResult Minimiser<D>::run() {
     if (solved.negative_curvature) d_ = -free_g_;  // only rounding makes a projected Hessian indefinite
     previous_norm_ = norm_;
     bool moved = search(record);
+    if (!moved && !settings_.line_search) {
+      result_.iterations.push_back(record);
+      return finish(NewtonStatus::not_finite);
+    }
     if (!moved) {
       mind_rounding();
       if (residual_ <= settings_.tolerance) {

@@ -10,6 +10,7 @@ namespace pf {
 struct NewtonSettings {
   double tolerance = 1e-6;  ///< of THEORY T4
   int max_iterations = 50;
+  bool line_search = true;  ///< off: full steps, which may lead anywhere; E must stay finite
 };
 
 enum class NewtonStatus { converged, cancelled, not_converged, line_search_failed, infeasible_start, not_finite };

@@ -113,7 +113,7 @@ class SimulationOf final : public Simulation {
   void build_plan_or_throw();
   std::vector<double> domain_edges() const;
   Attempt attempt(const StepChoice& choice, const std::atomic<bool>* cancel, StepReport& report);
-  void grid_velocity(StepReport& report);
+  void grid_velocity(double dt, StepReport& report);
   void sharpen(const Vector& momentum, Vector& rate, StepReport& report);
   void grid_acceleration(bool carried, StepReport& report);
   void carry_acceleration();
@@ -162,6 +162,7 @@ class SimulationOf final : public Simulation {
   LastGrid last_grid_;
   // Of one step; kept for their memory alone.
   FeasibleSet<D> set_;
+  std::vector<HeldNode<D>> prescribed_;  ///< rates that transfers of more than one term hold
   Vector momentum_before_, momentum_after_;
   std::vector<RubbingNode<D>> rubbing_;  ///< of the last accepted step, by ascending index
   MassMemory<D> mass_memory_, velocity_mass_memory_;

@@ -101,9 +101,12 @@ const StepReport& SimulationOf<D>::step(const std::atomic<bool>* cancel) {
 }
 
 template <int D>
-void SimulationOf<D>::grid_velocity(StepReport& report) {
+void SimulationOf<D>::grid_velocity(double dt, StepReport& report) {
   particles_to_grid(plan_, particles_, transfer_->affine(), parallel_, grid_);
   lumped_velocity(plan_, particles_, grid_);
+  prescribed_.clear();
+  for (const NodeConstraint<D>& c : set_.constrained)
+    if (!c.free.isIdentity(0)) prescribed_.push_back({c.node, c.free, c.given_velocity - dt * c.given_acceleration});
   sharpen(grid_.momentum, grid_.v, report);
   work_.p2g += particles_.size();
 }
@@ -117,7 +120,7 @@ void SimulationOf<D>::sharpen(const Vector& momentum, Vector& rate, StepReport& 
   const MassMatrix<D> M(plan_, particles_, grid_.mass, {true, consistent ? scene_.integrator.ghost_penalty : 0},
                         parallel_, work_, &velocity_mass_memory_);
   tell_of_blend(M, report);
-  if (!consistent) return sharpen_velocity(M, transfer_->order(), rate);
+  if (!consistent) return sharpen_velocity(M, transfer_->order(), rate, prescribed_);
   double residual = 0;
   M.solve(momentum, rate, residual);
   if (residual > 1e-8)
@@ -137,6 +140,9 @@ void SimulationOf<D>::grid_acceleration(bool carried, StepReport& report) {
   const double rounding = 1e-14 * grid_.mass.maxCoeff();
   for (Eigen::Index i = 0; i < grid_.mass.size(); ++i)
     grid_.a.template segment<D>(i * D) *= grid_.mass[i] > rounding ? 1 / grid_.mass[i] : 0;
+  prescribed_.clear();
+  for (const NodeConstraint<D>& c : set_.constrained)
+    if (!c.free.isIdentity(0)) prescribed_.push_back({c.node, c.free, c.given_acceleration});
   sharpen(sum, grid_.a, report);
 }
 
@@ -180,11 +186,11 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
   Lap lap;
   const double dt = choice.dt, work_before = weigh(work_);
   Integrator<D>& integrator = integrator_of(choice);
-  grid_velocity(report);
-  grid_acceleration(integrator.carries_acceleration(), report);
-  lap(report.ms.transfer);
   FeasibleSet<D>& set = set_;
   conditions_.at(plan_, time_, dt, set);
+  grid_velocity(dt, report);
+  grid_acceleration(integrator.carries_acceleration(), report);
+  lap(report.ms.transfer);
   guess_friction(set);
   if (!has_inertia(choice))
     if (const std::string loose = free_rigid_motion(plan_, set); !loose.empty()) return {Attempt::refused, loose};
@@ -201,7 +207,7 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::attempt(const StepChoice& cho
   if (!linear_ || choice.implicit) choose_solver(adaptive ? dt : scene_.time.step);
   linear_->new_step();
   lap(report.ms.assemble);
-  const NewtonSettings newton{scene_.solver.newton_tolerance, scene_.solver.max_newton};
+  const NewtonSettings newton{scene_.solver.newton_tolerance, scene_.solver.max_newton, scene_.solver.line_search};
   StepOutcome outcome{.choice = choice};
   std::optional<StepRecorder<D>> recorder;
   if (recording_ != RecordLevel::none) {
@@ -322,7 +328,9 @@ typename SimulationOf<D>::Attempt SimulationOf<D>::judge(const NewtonResult& new
       case NewtonStatus::infeasible_start:
         return {Attempt::failed, "A prescribed displacement turns material inside out within one step."};
       case NewtonStatus::not_finite:
-        return {Attempt::failed, "The residual is not a finite number."};
+        return {Attempt::failed, scene_.solver.line_search
+                                     ? "The residual is not a finite number."
+                                     : "A whole step of Newton's method led to where the energy has no value."};
       default:
         return {Attempt::failed, "The line search found no lower energy" + at};
     }

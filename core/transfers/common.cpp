@@ -105,18 +105,28 @@ void lumped_velocity(const Plan<D>& plan, const Particles<D>& particles, GridSta
 }
 
 template <int D>
-void sharpen_velocity(const MassMatrix<D>& M, int order, Vector& v) {
+void sharpen_velocity(const MassMatrix<D>& M, int order, Vector& v, const std::vector<HeldNode<D>>& held) {
+  if (order < 2) return;
   const Vector& m = M.lumped();
   const double rounding = 1e-14 * m.maxCoeff();
   Vector term = v, product;
+  for (const HeldNode<D>& node : held) {
+    auto rate = v.segment<D>(node.node * D);
+    rate = (node.free * rate + node.value).eval();
+  }
+  // The first term is what the particles' momentum m v0 has beyond M v, the others what each leaves of the one before.
   for (int k = 1; k < order; ++k) {
-    M.multiply(term, product);
+    M.multiply(k == 1 ? v : term, product);
     for (Eigen::Index i = 0; i < m.size(); ++i) {
       auto left = term.segment<D>(i * D);
       if (m[i] > rounding)
         left -= product.segment<D>(i * D) / m[i];
       else
         left.setZero();
+    }
+    for (const HeldNode<D>& node : held) {
+      auto left = term.segment<D>(node.node * D);
+      left = (node.free * left).eval();
     }
     v += term;
   }
@@ -204,7 +214,7 @@ void affine_inertias(const Plan<D>& plan, const Particles<D>& particles, const B
 #define PF_INSTANTIATE(D)                                                                                  \
   template void particles_to_grid<D>(const Plan<D>&, const Particles<D>&, bool, Parallel&, GridState<D>&); \
   template void lumped_velocity<D>(const Plan<D>&, const Particles<D>&, GridState<D>&);                    \
-  template void sharpen_velocity<D>(const MassMatrix<D>&, int, Vector&);                                   \
+  template void sharpen_velocity<D>(const MassMatrix<D>&, int, Vector&, const std::vector<HeldNode<D>>&);  \
   template void gather_field<D>(const Plan<D>&, const Vector&, Parallel&, std::vector<Vec<D>>&);           \
   template void scatter_field<D>(const Plan<D>&, const std::vector<Vec<D>>&, Parallel&, Vector&);          \
   template Vec<D> affine_inertia<D>(const BasisInfo&, double, const Vec<D>&);                              \

@@ -59,11 +59,20 @@ void particles_to_grid(const Plan<D>& plan, const Particles<D>& particles, bool 
 /// v_i = momentum / m_i; where m_i is nothing but rounding, the mean of the particles that the node's gradient sees.
 template <int D>
 void lumped_velocity(const Plan<D>& plan, const Particles<D>& particles, GridState<D>& grid);
+/// What a constraint prescribes of a node's velocity or acceleration.
+template <int D>
+struct HeldNode {
+  std::int32_t node = 0;
+  Mat<D> free = Mat<D>::Zero();   ///< projector on the directions that are not prescribed
+  Vec<D> value = Vec<D>::Zero();  ///< in the others (free * value = 0) [m/s or m/s^2]
+};
 /// FMPM(k) (Nairn and Hammerquist 2021): v becomes sum_{j<k} (I - m^-1 M)^j v, where v = m^-1 P is the lumped velocity
 /// and M the consistent mass. m^-1 M averages, its eigenvalues lie in [0, 1]: a step loses (1 - s)^k of a mode instead
 /// of 1 - s; the limit is the consistent velocity transfer. Nodes whose mass is rounding keep the velocity they have.
+/// What is held takes its value at once and no part in the series, which then inverts M of the free directions: grid
+/// velocities that a step has left with these values are a fixed point of transfer and series (k to infinity).
 template <int D>
-void sharpen_velocity(const MassMatrix<D>& M, int order, Vector& v);
+void sharpen_velocity(const MassMatrix<D>& M, int order, Vector& v, const std::vector<HeldNode<D>>& held = {});
 /// values_p = sum_j N_j(x_p) field_j.
 template <int D>
 void gather_field(const Plan<D>& plan, const Vector& field, Parallel& parallel, std::vector<Vec<D>>& values);

@@ -26,7 +26,8 @@ void menu(Shot& s, const char* title, const char* below = nullptr) {
 /// A file of the scratch folder that is no good scene.
 fs::path bad_scene(Shot& s) {
   const fs::path file = s.folder / "bad-scene.json";
-  std::ofstream(file) << R"({"name": "Bad", "dimension": 2, "gravity": [0, -9.81, 1], "grid": {"spacing": -0.1, "spacin": 1},
+  std::ofstream(file)
+      << R"({"name": "Bad", "dimension": 2, "gravity": [0, -9.81, 1], "grid": {"spacing": -0.1, "spacin": 1},
       "time": {"end": 1, "step": "fast"}, "materials": {"rubber": {"model": "neo_hookaen", "density": 1000}},
       "bodies": [{"material": "steel", "shape": {"type": "ball", "center": [0, 0.5], "radius": 0.4}}]})";
   return file;

@@ -147,7 +147,8 @@ const std::vector<WindowView>& views() {
          s.context().tool = "polygon";
          s.frames(2);
          const double dx = s.context().snapshot->spacing;
-         for (const Vec3& to : {Vec3(-4, 4, 0), Vec3(2, 4, 0), Vec3(0, 8, 0)}) s.hand.click(s.pixel(s.middle() + dx * to));
+         for (const Vec3& to : {Vec3(-4, 4, 0), Vec3(2, 4, 0), Vec3(0, 8, 0)})
+           s.hand.click(s.pixel(s.middle() + dx * to));
          s.hand.move(s.pixel(s.middle() + dx * Vec3(-3, 7, 0)));
        },
        false},
@@ -170,9 +171,10 @@ const std::vector<WindowView>& views() {
       {"study-running",
        [](Shot& s) {
          plot(s, "Studies", "vibrating-bar");
-         study(s, StudyKind::work_precision,
-               {{"/integrator/type", {"backward_euler", "implicit_midpoint"}}, {"/time/step", {2e-3, 1e-3, 2e-5, 1e-5}}},
-               StudyStage::running);
+         study(
+             s, StudyKind::work_precision,
+             {{"/integrator/type", {"backward_euler", "implicit_midpoint"}}, {"/time/step", {2e-3, 1e-3, 2e-5, 1e-5}}},
+             StudyStage::running);
        }},
       {"study-results",
        [](Shot& s) {
@@ -186,7 +188,8 @@ const std::vector<WindowView>& views() {
        [](Shot& s) {
          plot(s, "Studies", "vibrating-bar");
          study(s, StudyKind::stability_map,
-               {{"/time/step", {4e-3, 2e-3, 1e-3, 5e-4}}, {"/grid/spacing", {0.05, 0.025, 0.0125}}}, StudyStage::finished);
+               {{"/time/step", {4e-3, 2e-3, 1e-3, 5e-4}}, {"/grid/spacing", {0.05, 0.025, 0.0125}}},
+               StudyStage::finished);
        }},
       {"study-open",
        [](Shot& s) {

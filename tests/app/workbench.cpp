@@ -164,9 +164,21 @@ TEST_CASE("save, open, recent files and preferences survive the window") {
   CHECK(context.scene_file == file);
   CHECK(context.change({{"/time/end", 2.5}}));
   CHECK(context.unsaved);
+  context.view.color_by(Field::J);
+  context.view.lock_range = true;
+  context.view.range_min = 0.5;
+  context.view.range_max = 2;
   stage->act(Action::save);
   CHECK_FALSE(context.unsaved);
   CHECK(load_scene(file).time.end == 2.5);
+  // The scene is saved as it is seen, and comes back so.
+  context.view.color_by(Field::speed);
+  context.open_file(file);
+  REQUIRE(stage.ready());
+  CHECK(context.view.field == Field::J);
+  CHECK(context.view.lock_range);
+  CHECK(context.view.range_min == 0.5);
+  CHECK(context.view.range_max == 2);
 
   context.view.theme = Theme::light;
   const fs::path broken = stage.folder / "broken.json";

@@ -45,6 +45,18 @@ TEST_CASE("combinations that cannot work are refused with the reason") {
   Json scene = full_scene();
   scene["transfer"] = {{"type", "apic"}, {"velocity_mass", "consistent"}};
   CHECK(has_problem(problems_in(scene), "/transfer/velocity_mass"));
+  scene.erase("transfer");
+  scene["view"] = {{"color_by", "J"}, {"color_min", 0.5}};
+  CHECK(has_problem(problems_in(scene), "/view/color_max"));
+  scene["view"]["color_max"] = 0.5;
+  CHECK(has_problem(problems_in(scene), "/view/color_max"));
+  scene["view"]["color_max"] = 2;
+  CHECK(problems_in(scene).empty());
+  scene["view"]["color_log"] = true;
+  CHECK(problems_in(scene).empty());
+  scene["view"]["color_min"] = 0;
+  CHECK(has_problem(problems_in(scene), "/view/color_min"));
+  scene.erase("view");
   scene["transfer"] = {{"type", "apic"}};
   CHECK(problems_in(scene).empty());  // the consistent inertia is allowed
   CHECK(problems_in(exact_scene()).empty());

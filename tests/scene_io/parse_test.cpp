@@ -28,6 +28,9 @@ TEST_CASE("a scene's defaults are the contract's") {
   CHECK(scene.bodies[0].sampling == "lattice");
   CHECK(scene.bodies[0].velocity == FormulaVector(2));
   CHECK(scene.view.color_by == "speed");
+  CHECK_FALSE(scene.view.color_min);
+  CHECK_FALSE(scene.view.color_log);
+  CHECK(scene.solver.line_search);
 }
 
 TEST_CASE("every key of a scene reaches its member") {

@@ -288,6 +288,29 @@ TEST_CASE("too few iterations are reported as such, with the best iterate") {
   CHECK(result.iterations.back().energy < result.iterations.front().energy);
 }
 
+TEST_CASE("without line search every step is taken whole, the energy may rise, and where it ends so does the solve") {
+  bool rises = false, ends = false;
+  for (const LawInfo& law : laws()) {
+    CAPTURE(law.name);
+    // Half a turn: to first order that is a stretch to three times the size.
+    Problem<2> problem(law, 4, 0.1, [](const Vec<2>& x) { return Vec<2>(-30 * (x[1] - 0.2), 30 * (x[0] - 0.2)); });
+    const NewtonResult result = problem.solve("direct", {1e-9, 60, false});
+    for (std::size_t k = 0; k + 1 < result.iterations.size(); ++k) {
+      CHECK(result.iterations[k].step_length == 1);
+      rises |= result.iterations[k + 1].energy > result.iterations[k].energy + 1e-9 * problem.potential->energy_scale();
+    }
+    ends |= result.status == NewtonStatus::not_finite;
+    CHECK(std::isfinite(problem.residual()));
+  }
+  CHECK((rises || ends));
+  // Close to the solution both are the same.
+  Problem<2> with(*find_law("neo_hookean"), 4, 1e-4, violent<2>),
+      without(*find_law("neo_hookean"), 4, 1e-4, violent<2>);
+  CHECK(with.solve("direct", {1e-9, 20, true}).status == NewtonStatus::converged);
+  CHECK(without.solve("direct", {1e-9, 20, false}).status == NewtonStatus::converged);
+  CHECK(with.u == without.u);
+}
+
 TEST_CASE("cancelling leaves at once") {
   Problem<2> problem(*find_law("neo_hookean"), 4, 0.02, violent<2>);
   problem.solve("pcg_jacobi");  // makes the potential
