@@ -57,6 +57,9 @@ void Workbench::draw_lanes() {
   }
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const Rect cell = lane_views_->place(layout_.view, desk.lanes.size(), aspect, {mouse.x, mouse.y});
+  const auto& cells = lane_views_->cells();
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    if (cells[k].contains(mouse.x, mouse.y)) context_.compare->under_mouse = k;
   view_->place(cell, pixels, height, lane_views_->margins(context_.scene.dimension, ImGui::GetFontSize() / base_em));
   view_->handle_mouse(context_);
   view_->aim(context_);

@@ -267,8 +267,23 @@ void GlView::handle_hold(AppContext& context) {
   }
   if (down) return handle_camera();
   drag_ = Drag::none;
-  if (!moved_ && ImGui::IsMouseReleased(ImGuiMouseButton_Left) && !tools_.empty() && !comparing(context))
+  if (moved_ || !ImGui::IsMouseReleased(ImGuiMouseButton_Left)) return;
+  if (comparing(context))
+    select_in_lane(context);
+  else if (!tools_.empty())
     tools_[tool_]->click(mouse_now(context, true), context);
+}
+
+void GlView::select_in_lane(AppContext& context) const {
+  const CompareDesk& desk = *context.compare;
+  if (!desk.frame || desk.under_mouse >= desk.frame->lanes.size()) return;
+  const auto& snapshot = desk.frame->lanes[desk.under_mouse].snapshot;
+  if (!snapshot) return;
+  const ImVec2 at = ImGui::GetIO().MousePos;
+  const auto particle = pick_particle(*snapshot, camera_, size_, to_view_pixel({at.x, at.y}),
+                                      6.0 * static_cast<double>(pixels_per_unit_));
+  context.selected_particle.reset();
+  if (particle) context.selected_particle = snapshot->id[*particle];
 }
 
 void GlView::handle_camera() {

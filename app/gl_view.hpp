@@ -82,6 +82,8 @@ class GlView {
   void choose_tool(AppContext& context);
   void handle_press(AppContext& context);
   void handle_hold(AppContext& context);
+  /// The particle under the mouse in the lane that it is over, or none.
+  void select_in_lane(AppContext& context) const;
   void handle_camera();
   void handle_wheel(AppContext& context, float notches);
 

@@ -60,6 +60,7 @@ class Workbench {
   AppContext& context() { return context_; }
   const Layout& layout() const { return layout_; }
   const GlView& view() const { return *view_; }
+  const LaneViews* lane_views() const { return lane_views_.get(); }  ///< null before the first comparison
   const ScenePicker& scene_picker() const { return scene_picker_; }
   const TimeLine& time_line() const { return time_line_; }
   Recorder& recorder() { return recorder_; }

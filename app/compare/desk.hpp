@@ -50,7 +50,8 @@ struct CompareDesk {
   std::vector<LaneCurves> curves;
   ComparisonStatus status;
   std::shared_ptr<const ComparisonFrame> frame;
-  bool difference = false;  ///< coloured by the distance from the first lane
+  bool difference = false;      ///< coloured by the distance from the first lane
+  std::size_t under_mouse = 0;  ///< the lane that the view's camera and mouse are in now
 
   // The next lane.
   std::vector<std::string> variable;  ///< settings that can be changed

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "app/compare/desk.hpp"
+#include "app/compare/followed.hpp"
 #include "app/panels/panels.hpp"
 #include "app/panels/series.hpp"
 #include "app/preferences.hpp"
@@ -290,6 +291,7 @@ void draw_side(AppContext& context, CompareDesk& desk) {
   if (desk.active()) {
     draw_table(context, desk);
     if (!desk.active()) return;
+    draw_followed(context, desk);
     checkbox("difference", "Colour by the distance from lane 1", &desk.difference);
     tooltip("Particle by particle: |x - x of the same particle in lane 1|, on one colour map for all lanes.");
     if (flow_button("Back to one run", true)) return desk.close(context);

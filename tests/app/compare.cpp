@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/compare/desk.hpp"
+#include "app/compare/followed.hpp"
 #include "app/compare/lane_views.hpp"
 #include "tests/app/hand.hpp"
 
@@ -65,6 +66,41 @@ TEST_CASE("a lane comes by one click, goes by another, and the run is there agai
   CHECK(context.snapshot->report.step == 4);
   CHECK(context.snapshot == before);
   CHECK(context.status.state == RunState::paused);
+}
+
+TEST_CASE("a particle that is clicked in one lane is followed in all of them") {
+  NEEDS_DISPLAY();
+  Stage stage(small());
+  REQUIRE(stage.ready());
+  stage->act(Action::fit);
+  CompareDesk& desk = started(stage);
+  AppContext& context = stage.context();
+  for (long k = 1; k <= 6; ++k) {
+    stage->act(Action::step);
+    REQUIRE(stands(stage, k));
+  }
+  stage.frames(3);
+  // The second lane's, which is not where the first one has it.
+  const Snapshot& second = *desk.frame->lanes[1].snapshot;
+  const std::size_t p = second.particles / 2;
+  const Vec3 where(second.x[2 * p], second.x[2 * p + 1], 0);
+  const Rect cell = stage->lane_views()->cells()[1];
+  Hand hand(stage);
+  hand.move({cell.x + cell.width / 2, cell.y + cell.height / 2});
+  hand.click(at(stage, where));
+  REQUIRE(context.selected_particle);
+  CHECK(*context.selected_particle == second.id[p]);
+  const auto lanes = followed(*desk.frame, *context.selected_particle, Field::speed);
+  REQUIRE(lanes.size() == 2);
+  REQUIRE((lanes[0] && lanes[1]));
+  CHECK(lanes[1]->x.head<2>() == where.head<2>());
+  CHECK_FALSE(lanes[0]->apart);
+  CHECK(*lanes[1]->apart == doctest::Approx((lanes[1]->x - lanes[0]->x).norm()));
+  CHECK(*lanes[1]->apart > 0);
+  CHECK(lanes[1]->J == doctest::Approx(1).epsilon(0.2));
+  CHECK(lanes[1]->value);
+  hand.click({cell.x + 4, cell.bottom() - 4});  // beside the material: none
+  CHECK_FALSE(context.selected_particle);
 }
 
 TEST_CASE("keys drive all lanes in step, and what has no meaning for several is not offered") {
