@@ -88,7 +88,7 @@ void Workbench::draw_lanes_overlay() {
 
 Image Workbench::view_picture(const PictureRequest& request) {
   if (!comparing(context_) || !lane_views_ || !context_.compare->frame) return view_->picture(context_, request);
-  return lane_views_->picture(context_, *context_.compare, view_->camera(), request, window_.pixels_per_unit(),
+  return lane_views_->picture(context_, *context_.compare, *view_, request, window_.pixels_per_unit(),
                               ImGui::GetFontSize() / base_em);
 }
 

@@ -17,18 +17,25 @@ ViewSize picture_size(const PictureRequest& request, ViewSize view) {
   return {more(view.width), more(view.height)};
 }
 
-/// Shows what the view does, and more where the picture has another shape.
-Camera camera_for(Camera camera, ViewSize view, ViewSize picture, double finer) {
+}  // namespace
+
+Camera GlView::picture_camera(ViewSize picture, ViewMargins margins, double scale) const {
+  Camera camera = camera_;
+  if (follow_size_) {
+    margins = {scale * margins.left, scale * margins.right, scale * margins.top, scale * margins.bottom};
+    std::visit([&](auto& c) { c.fit(fitted_, picture, margins); }, camera);
+    return camera;
+  }
+  const double finer =
+      std::min(static_cast<double>(picture.width) / size_.width, static_cast<double>(picture.height) / size_.height);
   if (auto* flat = std::get_if<Camera2D>(&camera)) {
     flat->pixels_per_metre *= finer;
   } else {
     auto& orbit = std::get<OrbitCamera>(camera);
-    orbit.distance *= static_cast<double>(picture.height) / view.height / finer;
+    orbit.distance *= static_cast<double>(picture.height) / size_.height / finer;
   }
   return camera;
 }
-
-}  // namespace
 
 const std::vector<float>& GlView::counts(const AppContext& context, const OverlayInfo& info) {
   constexpr int bins = 48;
@@ -46,8 +53,10 @@ Image GlView::picture(const AppContext& context, const PictureRequest& request) 
   const ViewSize size = picture_size(request, size_);
   const double finer =
       std::min(static_cast<double>(size.width) / size_.width, static_cast<double>(size.height) / size_.height);
-  const Camera camera = camera_for(camera_, size_, size, finer);
   RenderOptions options = render_options(context, static_cast<float>(finer) * pixels_per_unit_ * overlay_scale());
+  const auto scale = static_cast<double>(options.pixel_scale);
+  const Camera camera =
+      picture_camera(size, overlay_margins(dimension_, size.width / scale, size.height / scale), scale);
   options.best_quality = true;
   options.transparent = request.transparent;
   options.selected.reset();

@@ -46,13 +46,6 @@ void arrow(Painter& painter, const RenderTheme& theme, Point2 from, Point2 to, C
   painter.polygon(tip, color);
 }
 
-std::string clock_text(const OverlayInfo& info) {
-  const int decimals = info.dt > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(info.dt))), 2, 7) : 3;
-  std::string text = "t = " + fixed_text(info.time, decimals) + " s";
-  if (info.step >= 0) text += "    step " + std::to_string(info.step);
-  return text;
-}
-
 void draw_title(const OverlayInfo& info, const RenderTheme& theme, Painter& painter, Point2 min) {
   const bool titled = !info.title.empty();
   if (!titled && !info.clock) return;
@@ -167,6 +160,13 @@ void draw_cross_key(const OverlayInfo& info, const RenderTheme& theme, Painter& 
 }
 
 }  // namespace
+
+std::string clock_text(const OverlayInfo& info) {
+  const int decimals = info.dt > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(info.dt))), 2, 7) : 3;
+  std::string text = "t = " + fixed_text(info.time, decimals) + " s";
+  if (info.step >= 0) text += "    step " + std::to_string(info.step);
+  return text;
+}
 
 RoundLength round_length(double most) {
   if (!(most > 0) || !std::isfinite(most)) return {};

@@ -34,6 +34,9 @@ struct OverlayInfo {
                         const Camera& camera, ViewSize size);
 };
 
+/// "t = 0.25 s   step 50".
+std::string clock_text(const OverlayInfo& info);
+
 /// Into the rectangle from `min` to `max`, in the painter's units; nothing overlaps from 320 x 240 units on.
 void draw_overlay(const OverlayInfo& info, const RenderTheme& theme, Painter& painter, Point2 min, Point2 max);
 

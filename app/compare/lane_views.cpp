@@ -51,14 +51,15 @@ Color text_color(Theme theme) {
 }
 
 /// The lane's number in its colour, its name, and how far it has come away from the first.
-/// `detailed`: where there is room for it.
+/// `detailed`: where there is room for it. `clock`: said before that, where it is not empty.
 void draw_head(Painter& painter, const LaneFrame& lane, std::size_t index, Theme theme, Point2 corner, float width,
-               bool detailed) {
+               bool detailed, const std::string& clock = {}) {
   constexpr float em = base_em;
   const ChartTheme colors = theme == Theme::dark ? dark_theme() : light_theme();
   const float left = corner.x + 2.5F * em, room = width - 3.2F * em;
   const std::string name = fitted(painter, lane.name, em, room);
-  const std::string words = detailed ? fitted(painter, distance_words(lane, index), 0.85F * em, room) : "";
+  const std::string said = (clock.empty() ? "" : clock + ", ") + distance_words(lane, index);
+  const std::string words = detailed ? fitted(painter, said, 0.85F * em, room) : "";
   const float wide = std::max(painter.text_width(name, em, FontWeight::bold), painter.text_width(words, 0.85F * em));
   Color back = palette(theme).window;
   back.a = 0.9F;
@@ -111,7 +112,10 @@ Rect LaneViews::place(const Rect& view, std::size_t lanes, float aspect, Point2 
 }
 
 ViewMargins LaneViews::margins(int dimension, float overlay_scale) const {
-  const Point2 size{cells_.front().width / overlay_scale, cells_.front().height / overlay_scale};
+  return lane_margins(dimension, {cells_.front().width / overlay_scale, cells_.front().height / overlay_scale});
+}
+
+ViewMargins lane_margins(int dimension, Point2 size) {
   ViewMargins m = overlay_margins(dimension, static_cast<double>(size.x), static_cast<double>(size.y));
   const bool room = roomy({0, 0}, size);
   if (!room) m = {12, 12, 0, 12};
@@ -202,7 +206,7 @@ void LaneViews::draw_overlay(const AppContext& context, const CompareDesk& desk,
   }
 }
 
-Image LaneViews::picture(const AppContext& context, const CompareDesk& desk, const Camera& camera,
+Image LaneViews::picture(const AppContext& context, const CompareDesk& desk, const GlView& view,
                          const PictureRequest& request, float pixels_per_unit, float overlay_scale) {
   // Everything in pixels of the picture from here on; the lanes' cells begin in its corner.
   const Rect& shown = cells_.front();
@@ -225,14 +229,11 @@ Image LaneViews::picture(const AppContext& context, const CompareDesk& desk, con
   const Rect& first = cells.front();
   const float finer = std::min(first.width / shown.width, first.height / shown.height);
   const ViewSize size{static_cast<int>(first.width), static_cast<int>(first.height)};
-  Camera closer = camera;
-  if (auto* flat = std::get_if<Camera2D>(&closer)) {
-    flat->pixels_per_metre *= static_cast<double>(finer);
-  } else {
-    auto& orbit = std::get<OrbitCamera>(closer);
-    orbit.distance *= static_cast<double>(first.height / shown.height / finer);
-  }
-  RenderOptions options = this->options(context, desk, finer * overlay_scale);
+  const float scale = finer * overlay_scale;
+  const Camera closer =
+      view.picture_camera(size, lane_margins(context.scene.dimension, {first.width / scale, first.height / scale}),
+                          static_cast<double>(scale));
+  RenderOptions options = this->options(context, desk, scale);
   options.best_quality = true;
   options.transparent = request.transparent;
   options.selected.reset();
@@ -261,14 +262,16 @@ void LaneViews::write_over(Image& part, const AppContext& context, const Compare
                            const RenderOptions& options, const Camera& camera) const {
   const LaneFrame& lane = desk.frame->lanes[k];
   OverlayInfo info = OverlayInfo::of(*lane.snapshot, views_[k]->renderer, options, camera, {part.width, part.height});
-  info.clock = k == 0;
+  info.step = -1;  // each lane has its own
+  const std::string clock = k == 0 ? clock_text(info) : "";
+  info.clock = false;  // it is in the head
   if (desk.difference) info.field_label = distance_label;
   info.scale_bar = info.axes = k == 0;
   PngPainter painter(part, options.pixel_scale);
   const Point2 end{static_cast<float>(part.width) / options.pixel_scale,
                    static_cast<float>(part.height) / options.pixel_scale};
   pf::draw_overlay(info, options.theme, painter, {0, 0}, end);
-  draw_head(painter, lane, k, context.view.theme, {0, 0}, end.x, true);
+  draw_head(painter, lane, k, context.view.theme, {0, 0}, end.x, true, clock);
 }
 
 }  // namespace pf::app

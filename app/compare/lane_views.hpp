@@ -22,6 +22,9 @@ namespace pf::app {
 /// over height) largest.
 std::vector<Rect> lane_cells(const Rect& view, std::size_t lanes, float aspect);
 
+/// Room for what is written over a lane of this size, both in units of the overlay.
+ViewMargins lane_margins(int dimension, Point2 size);
+
 /// Needs a current OpenGL context from construction to destruction.
 class LaneViews {
  public:
@@ -37,7 +40,7 @@ class LaneViews {
   void draw_overlay(const AppContext& context, const CompareDesk& desk, const Camera& camera, float pixels_per_unit,
                     float overlay_scale, ImDrawList& list) const;
   /// The lanes as one picture, without panels, as `request` asks for it.
-  Image picture(const AppContext& context, const CompareDesk& desk, const Camera& camera, const PictureRequest& request,
+  Image picture(const AppContext& context, const CompareDesk& desk, const GlView& view, const PictureRequest& request,
                 float pixels_per_unit, float overlay_scale);
   void forget();
 

@@ -86,6 +86,7 @@ const std::vector<WindowView>& views() {
          desk.add(s.context(), "/time/step", 0.005);
          desk.difference = true;
          s.act_until(0.4);
+         s.context().selected_particle = static_cast<std::uint32_t>(desk.frame->lanes[1].snapshot->id.size() - 20);
        }},
       {"compare-3d",
        [](Shot& s) {

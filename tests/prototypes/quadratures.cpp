@@ -1,5 +1,5 @@
-// Ways past the floor that sampling particles at their centres leaves, in one dimension and without the program's core: what
-// docs/accuracy.md says of those that were not built. Prints the table.
+// Ways past the floor that sampling particles at their centres leaves, in one dimension and without the program's core:
+// what docs/accuracy.md says of those that were not built. Prints the table.
 #include <doctest/doctest.h>
 
 #include <Eigen/Cholesky>
@@ -16,12 +16,12 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 enum class Quadrature {
-  sampled,       ///< dN/dx at the particle
-  mls,           ///< moving least squares: the slope of the fit, N (x_i - x_p) 4 / dx^2 (Hu et al. 2018)
-  corrected,     ///< test functions' gradients corrected so that constant stress leaves no force (Chen et al. 2013)
-  reweighted,    ///< volumes changed as little as makes constant stress leave no force
-  gauss,         ///< two Gauss points on the particle's own domain
-  averaged       ///< the mean over the domain
+  sampled,     ///< dN/dx at the particle
+  mls,         ///< moving least squares: the slope of the fit, N (x_i - x_p) 4 / dx^2 (Hu et al. 2018)
+  corrected,   ///< test functions' gradients corrected so that constant stress leaves no force (Chen et al. 2013)
+  reweighted,  ///< volumes changed as little as makes constant stress leave no force
+  gauss,       ///< two Gauss points on the particle's own domain
+  averaged     ///< the mean over the domain
 };
 
 /// Quadratic B-spline, its derivative and antiderivative, of the distance from the node in cells.
@@ -39,9 +39,9 @@ double spline_sum(double r) {
   return 0.5 + (r < 0 ? -half : half);
 }
 
-/// A periodic bar of length 1, E = rho = 1, P = (F - 1/F) / 2, that swings as u = A sin(2 pi X) cos(pi t) under the body
-/// force which that takes (Steffen et al. 2008). Two particles a cell, the consistent mass in inertia and transfer, PIC,
-/// implicit midpoint with dt = dx / 5.
+/// A periodic bar of length 1, E = rho = 1, P = (F - 1/F) / 2, that swings as u = A sin(2 pi X) cos(pi t) under the
+/// body force which that takes (Steffen et al. 2008). Two particles a cell, the consistent mass in inertia and
+/// transfer, PIC, implicit midpoint with dt = dx / 5.
 class Bar {
  public:
   Bar(int cells, Quadrature quadrature)
@@ -160,8 +160,8 @@ TEST_SUITE("long") {
       const char* name;
       std::array<double, 3> u{}, F{};
     };
-    std::array ways{Way{Quadrature::sampled, "sampled"},       Way{Quadrature::mls, "least squares"},
-                    Way{Quadrature::corrected, "corrected"},   Way{Quadrature::reweighted, "reweighted"},
+    std::array ways{Way{Quadrature::sampled, "sampled"},      Way{Quadrature::mls, "least squares"},
+                    Way{Quadrature::corrected, "corrected"},  Way{Quadrature::reweighted, "reweighted"},
                     Way{Quadrature::gauss, "2 Gauss points"}, Way{Quadrature::averaged, "averaged"}};
     std::printf("| way | u: 1/32 1/64 1/128 | F: 1/32 1/64 1/128 |\n|---|---|---|\n");
     for (Way& way : ways) {
