@@ -14,6 +14,7 @@
 #include "core/assets.hpp"
 #include "core/charts/image.hpp"
 #include "core/scene/scene_io.hpp"
+#include "render/overlay.hpp"
 #include "tests/app/stage.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -55,15 +56,17 @@ TEST_CASE("every shipped scene opens, steps, and shows its material where the sn
     const Image without = stage.picture();
     stage.context().view.show_particles = true;
     REQUIRE(with.width == without.width);
-    const Rect view = stage->view().place();
-    const float scale = static_cast<float>(with.width) / view.width;
+    const ViewSize size{with.width, with.height};
+    const double scale = static_cast<double>(with.width) / static_cast<double>(stage->view().place().width);
+    const Camera camera = stage->view().picture_camera(
+        size, overlay_margins(s.dimension, size.width / scale, size.height / scale), scale);
     int inside = 0, shown = 0;
     for (std::size_t p = 0; p < s.particles; p += 1 + s.particles / 200) {
-      const auto at = stage->view().to_window(particle_place(s, p));
-      if (!at || !view.contains(at->x, at->y)) continue;
+      const auto at = to_pixel(camera, particle_place(s, p), size);
+      if (!at || at->x() < 0 || at->y() < 0 || at->x() >= size.width || at->y() >= size.height) continue;
       ++inside;
-      const int x = std::min(with.width - 1, static_cast<int>((at->x - view.x) * scale));
-      const int y = std::min(with.height - 1, static_cast<int>((at->y - view.y) * scale));
+      const int x = static_cast<int>(at->x());
+      const int y = static_cast<int>(at->y());
       shown += with.color(x, y) == without.color(x, y) ? 0 : 1;
     }
     CHECK(inside > 20);  // fitted: the body is in view
