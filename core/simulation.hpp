@@ -86,8 +86,9 @@ class Simulation {
   virtual void set_recording(RecordLevel /*level*/) {}
   /// Of the newest step() call, its last attempt; null where nothing was kept.
   virtual std::shared_ptr<const StepRecord> record() const { return nullptr; }
-  /// The longest step that symplectic Euler could take from the present state [s]: 2 / w_max of the grid with the
-  /// lumped mass (core/energies/stable_step.hpp). Costs some 20 Hessian products; nothing is changed by asking.
+  /// The longest step that symplectic Euler could take from the present state [s]: that of the grid with the lumped
+  /// mass and of the transfer (core/energies/stable_step.hpp). Costs some 20 Hessian products and a hundred averages;
+  /// nothing is changed by asking.
   virtual double stable_step() const = 0;
   /// What the solver chose and why ("auto"), for the interface and summary.json.
   virtual std::string solver_choice() const = 0;

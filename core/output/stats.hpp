@@ -32,7 +32,7 @@ std::string stats_header(const StatsColumns& columns);
 /// One row, without its end.
 std::string stats_row(const StepReport& report, const StatsColumns& columns, std::optional<double> stable_step = {},
                       bool converged = true);
-/// How often stable_step is worked out: it costs about as much as an implicit step.
+/// How often stable_step is worked out: it costs as much as a few implicit steps.
 inline constexpr long stable_step_rows = 50;
 
 /// First line of probes.csv.

@@ -107,7 +107,14 @@ double SimulationOf<D>::stable_step() const {
   particles_to_grid(plan_, particles_, false, parallel_, grid);
   Work uncounted;
   ElasticEnergy<D> elastic(plan_, particles_, laws_, parallel_, uncounted);
-  return pf::stable_step(elastic, grid.mass, conditions_.at(plan_, time_, 0));
+  BetweenSteps between;
+  if (scene_.transfer.velocity_mass == "lumped") {
+    between.carry = [&](const Vector& v, Vector& momentum) {
+      transfer_->carry(plan_, particles_, v, parallel_, momentum);
+    };
+    between.stiffening = [&](double s) { return transfer_->stiffening(s); };
+  }
+  return pf::stable_step(elastic, grid.mass, conditions_.at(plan_, time_, 0), between);
 }
 
 #define PF_INSTANTIATE(D)                                                     \

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 
+#include "core/transfers/carry.hpp"
 #include "core/transfers/moments.hpp"
 #include "core/transfers/ride.hpp"
 
@@ -71,6 +72,12 @@ StateCheck ApicTransfer<D>::grid_to_particles(const Plan<D>& plan, const GridSta
                                               const Particles<D>& particles, Parallel& parallel,
                                               const Motion<D>& to) const {
   return ride(plan, grid, particles, parallel, to, AffineVelocities<D>());
+}
+
+template <int D>
+void ApicTransfer<D>::carry(const Plan<D>& plan, const Particles<D>& particles, const Vector& v, Parallel& parallel,
+                            Vector& momentum) const {
+  carry_velocities(plan, particles, v, parallel, momentum, AffineVelocities<D>());
 }
 
 template class ApicTransfer<2>;

@@ -1,5 +1,6 @@
 #include "core/transfers/flip.hpp"
 
+#include "core/transfers/carry.hpp"
 #include "core/transfers/ride.hpp"
 
 namespace pf {
@@ -41,6 +42,12 @@ StateCheck FlipTransfer<D>::grid_to_particles(const Plan<D>& plan, const GridSta
                                               const Particles<D>& particles, Parallel& parallel,
                                               const Motion<D>& to) const {
   return ride(plan, grid, particles, parallel, to, BlendedVelocities<D>(flip_ratio_));
+}
+
+template <int D>
+void FlipTransfer<D>::carry(const Plan<D>& plan, const Particles<D>& particles, const Vector& v, Parallel& parallel,
+                            Vector& momentum) const {
+  carry_velocities(plan, particles, v, parallel, momentum, BlendedVelocities<D>(0));
 }
 
 template class FlipTransfer<2>;

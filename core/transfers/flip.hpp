@@ -14,6 +14,11 @@ class FlipTransfer final : public Transfer<D> {
   bool affine() const override { return false; }
   StateCheck grid_to_particles(const Plan<D>& plan, const GridState<D>& grid, const Particles<D>& particles,
                                Parallel& parallel, const Motion<D>& to) const override;
+  void carry(const Plan<D>& plan, const Particles<D>& particles, const Vector& v, Parallel& parallel,
+             Vector& momentum) const override;
+  double stiffening(double s) const override {
+    return 2 * (1 + flip_ratio_ * (1 - s)) / (1 + s + flip_ratio_ * (1 - s));
+  }
 
  private:
   double flip_ratio_;

@@ -2,6 +2,8 @@
 // (sharpen_velocity). 1 is PIC; infinity the consistent velocity transfer.
 #pragma once
 
+#include <cmath>
+
 #include "core/transfers/flip.hpp"
 
 namespace pf {
@@ -16,6 +18,11 @@ class FmpmTransfer final : public Transfer<D> {
                                Parallel& parallel, const Motion<D>& to) const override {
     return FlipTransfer<D>(0).grid_to_particles(plan, grid, particles, parallel, to);
   }
+  void carry(const Plan<D>& plan, const Particles<D>& particles, const Vector& v, Parallel& parallel,
+             Vector& momentum) const override {
+    FlipTransfer<D>(0).carry(plan, particles, v, parallel, momentum);
+  }
+  double stiffening(double s) const override { return 2 / (2 - std::pow(1 - s, order_)); }
 
  private:
   int order_;

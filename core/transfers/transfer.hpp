@@ -50,6 +50,13 @@ class Transfer {
   /// positions: to.x is left alone. What comes of it, if F is asked for.
   virtual StateCheck grid_to_particles(const Plan<D>& plan, const GridState<D>& grid, const Particles<D>& particles,
                                        Parallel& parallel, const Motion<D>& to) const = 0;
+  /// The momenta that come back from particles which took nothing but node velocities v: m_i (S v)_i [kg m/s], where S
+  /// averages; m S is symmetric, the eigenvalues of S lie in [0, 1].
+  virtual void carry(const Plan<D>& plan, const Particles<D>& particles, const Vector& v, Parallel& parallel,
+                     Vector& momentum) const = 0;
+  /// What averaging does to the limit of explicit steps: a mode of which S leaves s counts as if its frequency squared
+  /// were this many times as large (docs/failures.md). 1 where s = 1, up to 2 where s = 0.
+  virtual double stiffening(double s) const = 0;
 };
 
 /// m_i and momentum; nodes that receive no mass get the mean velocity of the particles around them in `v` later.
