@@ -27,7 +27,7 @@ bool Notices::expire() {
 void Notices::draw(const Rect& view) const {
   if (notices_.empty() || view.empty()) return;
   const float em = ImGui::GetFontSize();
-  ImGui::SetNextWindowPos({view.x + view.width / 2, view.bottom() - 3.2f * em}, ImGuiCond_Always, {0.5f, 1});
+  ImGui::SetNextWindowPos({view.x + view.width / 2, view.bottom() - 0.6f * em}, ImGuiCond_Always, {0.5f, 1});
   ImGui::SetNextWindowSizeConstraints({0, 0}, {std::min(40 * em, view.width - 2 * em), view.height});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.4f * em);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));

@@ -51,6 +51,7 @@ void ScenePicker::open(const std::filesystem::path& shipped, const std::vector<s
 void ScenePicker::draw_list() {
   const float room = 0.84F * ImGui::GetIO().DisplaySize.y - em(7);  // below it the button
   ImGui::BeginChild("scenes", {0, std::clamp(room, em(5), em(20))});
+  gap(0.15F);  // a row's highlight reaches beyond it
   for (int i = 0; i < static_cast<int>(offered_.size()); ++i) {
     const SceneChoice& choice = offered_[static_cast<std::size_t>(i)];
     ImGui::PushID(i);
@@ -84,7 +85,7 @@ void ScenePicker::draw(const std::function<void(const std::filesystem::path&)>& 
   }
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-  if (ImGui::InputTextWithHint("##letters", "A few letters of its name", &letters_)) {
+  if (ImGui::InputTextWithHint("##letters", "Open a scene: a few letters of its name", &letters_)) {
     offered_ = matching(choices_, letters_);
     at_ = 0;
     follow_ = true;

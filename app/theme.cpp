@@ -80,7 +80,8 @@ void set_colors(ImVec4* to, const Palette& p) {
        ImGuiCol_DragDropTarget, ImGuiCol_PlotLines, ImGuiCol_PlotHistogram, ImGuiCol_ResizeGripActive,
        ImGuiCol_SeparatorActive, ImGuiCol_SeparatorHovered},
       vec(p.accent));
-  set({ImGuiCol_Header, ImGuiCol_TabActive, ImGuiCol_TabUnfocusedActive}, vec(p.frame));
+  set({ImGuiCol_Header}, vec(p.accent, 0.3f));  // what is selected in a list
+  set({ImGuiCol_TabActive, ImGuiCol_TabUnfocusedActive}, vec(p.frame));
   set({ImGuiCol_HeaderHovered, ImGuiCol_TabHovered}, vec(p.frame_hovered));
   set({ImGuiCol_HeaderActive}, vec(p.frame_active));
   set({ImGuiCol_Tab, ImGuiCol_TabUnfocused, ImGuiCol_ResizeGrip, ImGuiCol_TableRowBgAlt}, none);

@@ -14,13 +14,19 @@
 namespace pf::app {
 namespace {
 
+/// Beside the bar, over none of it.
 void explain(const ToolInfo& tool) {
   if (!ImGui::IsItemHovered()) return;
+  const float em = ImGui::GetFontSize();
+  const ImVec2 bar = ImGui::GetWindowPos();
+  ImGui::SetNextWindowPos({bar.x + ImGui::GetWindowWidth() + 0.4F * em, ImGui::GetItemRectMin().y});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.75F * em, 0.6F * em});
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(24 * ImGui::GetFontSize());
+  ImGui::PushTextWrapPos(24 * em);
   ImGui::TextUnformatted(tool.help);
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
+  ImGui::PopStyleVar();
 }
 
 // In em.
@@ -102,7 +108,11 @@ void Workbench::draw_tool_choice() {
   for (const ToolInfo* tool : offered)
     if (context_.tool == tool->key) now = tool->label;
   ImGui::SetNextItemWidth(6 * ImGui::GetFontSize());
-  if (!ImGui::BeginCombo("##tool", now, ImGuiComboFlags_HeightLarge)) return;
+  if (!ImGui::BeginCombo("##tool", now, ImGuiComboFlags_HeightLarge)) {
+    for (const ToolInfo* tool : offered)
+      if (context_.tool == tool->key) explain(*tool);
+    return;
+  }
   for (const ToolInfo* tool : offered) {
     if (ImGui::Selectable(tool->label, context_.tool == tool->key)) context_.tool = tool->key;
     explain(*tool);

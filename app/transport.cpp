@@ -16,18 +16,18 @@ namespace {
 
 enum class Icon { play, pause, step, reset };
 
-/// Drawn, not typed: no font has all four.
+/// Drawn, not typed: no font has all four. Corners clockwise: only then are edges smoothed.
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 c, float r, ImU32 color) {
   switch (icon) {
     case Icon::play:
-      list.AddTriangleFilled({c.x - 0.7f * r, c.y - r}, {c.x - 0.7f * r, c.y + r}, {c.x + r, c.y}, color);
+      list.AddTriangleFilled({c.x - 0.7f * r, c.y - r}, {c.x + r, c.y}, {c.x - 0.7f * r, c.y + r}, color);
       break;
     case Icon::pause:
       list.AddRectFilled({c.x - 0.75f * r, c.y - 0.9f * r}, {c.x - 0.2f * r, c.y + 0.9f * r}, color);
       list.AddRectFilled({c.x + 0.2f * r, c.y - 0.9f * r}, {c.x + 0.75f * r, c.y + 0.9f * r}, color);
       break;
     case Icon::step:
-      list.AddTriangleFilled({c.x - 0.8f * r, c.y - 0.9f * r}, {c.x - 0.8f * r, c.y + 0.9f * r}, {c.x + 0.5f * r, c.y},
+      list.AddTriangleFilled({c.x - 0.8f * r, c.y - 0.9f * r}, {c.x + 0.5f * r, c.y}, {c.x - 0.8f * r, c.y + 0.9f * r},
                              color);
       list.AddRectFilled({c.x + 0.5f * r, c.y - 0.9f * r}, {c.x + 0.95f * r, c.y + 0.9f * r}, color);
       break;
@@ -69,7 +69,7 @@ constexpr std::array rates{Rate{1, "Real time", "Real time"},
                            Rate{0.01, "1/100 of real time", "1/100 speed"},
                            Rate{0, "As fast as possible", "Fastest"}};
 constexpr std::array ends{"Pause at the end", "Go on past the end", "Loop"};
-constexpr std::array brief_ends{"Pause", "Go on", "Loop"};
+constexpr std::array brief_ends{"End: pause", "End: go on", "End: loop"};
 
 std::string hint(const KeyBinding& b) {
   return std::string(b.label) + " (" + b.shortcut + ")";

@@ -13,7 +13,7 @@ namespace pf {
 namespace {
 
 constexpr float margin = 12, padding = 12, text_size = 12, title_size = 13, bar_width = 14, tick_gap = 7;
-constexpr float histogram_width = 22;
+constexpr float histogram_width = 22, lying_histogram = 14, lowest_with_lying_counts = 260;
 constexpr float narrowest_beside_axes = 340;
 constexpr float lying_height = 10, lying_padding = 9;  // of the bar that lies, and of its panel
 
@@ -74,29 +74,34 @@ void draw_gradient(const OverlayInfo& info, Painter& painter, const Box& bar, bo
   }
 }
 
-/// Counts as lengths to the right of the bar; square roots, so that few show beside many.
-void draw_histogram(const OverlayInfo& info, const RenderTheme& theme, Painter& painter, const Box& bar) {
+/// Counts as lengths to the right of the bar or, where it lies, above it; square roots, so that few show beside many.
+void draw_histogram(const OverlayInfo& info, const RenderTheme& theme, Painter& painter, const Box& bar, bool lies) {
   const float most = *std::max_element(info.histogram.begin(), info.histogram.end());
   if (!(most > 0)) return;
   const auto bins = static_cast<float>(info.histogram.size());
-  const float height = (bar.max.y - bar.min.y) / bins;
-  Color color = theme.text_muted;
+  const float wide = (lies ? bar.max.x - bar.min.x : bar.max.y - bar.min.y) / bins;
+  const float longest = lies ? lying_histogram : histogram_width;
   for (std::size_t k = 0; k < info.histogram.size(); ++k) {
     if (!(info.histogram[k] > 0)) continue;
-    const float low = bar.max.y - height * static_cast<float>(k);
-    const float length = std::max(1.f, histogram_width * std::sqrt(info.histogram[k] / most));
-    painter.rectangle({bar.max.x + 2, low - height}, {bar.max.x + 2 + length, low}, color);
+    const float from = wide * static_cast<float>(k),
+                length = std::max(1.f, longest * std::sqrt(info.histogram[k] / most));
+    const Box count = lies ? Box{{bar.min.x + from, bar.min.y - 2 - length}, {bar.min.x + from + wide, bar.min.y - 2}}
+                           : Box{{bar.max.x + 2, bar.max.y - from - wide}, {bar.max.x + 2 + length, bar.max.y - from}};
+    painter.rectangle(count.min, count.max, theme.text_muted);
   }
 }
 
-/// At least two, else nobody could tell how much a colour means.
+/// At least two, and one near the upper end, else nobody could tell how much a colour means.
 TickSet ticks_of(const OverlayInfo& info, float length, float apart) {
   const auto fit = [](const std::vector<Tick>&) { return true; };
   TickSet ticks;
   for (int most = std::clamp(static_cast<int>(length / apart), 2, 7); most <= 7; ++most) {
     ticks = info.scale == ColorScale::logarithmic ? logarithmic_ticks(info.range.min, info.range.max, most, fit)
                                                   : linear_ticks(info.range.min, info.range.max, most, fit);
-    if (ticks.major.size() > 1) break;
+    const auto& major = ticks.major;
+    const bool ends = !major.empty() && map_position(major.back().value, info.range, info.scale) > 0.75;
+    const bool full = static_cast<float>(major.size()) * 0.6f * apart > length;
+    if (major.size() > 1 && (ends || full)) break;
   }
   return ticks;
 }
@@ -106,6 +111,7 @@ struct BarLayout {
   TickSet ticks;
   std::string title;
   bool lies = false;
+  bool counts = true;  ///< there is room for a histogram
   bool beside = true;  ///< the title runs up beside the bar, else it lies above
   Box panel, bar;
 };
@@ -123,9 +129,11 @@ BarLayout lay_out_lying(const OverlayInfo& info, Painter& painter, Point2 min, P
   l.ticks = ticks_of(info, length, 45);
   l.title = title_of(info, l.ticks);
   const float inside = std::max(length, painter.text_width(l.title, title_size)), sides = lying_padding + 5;
+  l.counts = !info.histogram.empty() && max.y - min.y >= lowest_with_lying_counts;
+  const float counts = l.counts ? lying_histogram + 2 : 0;
   l.panel = place(info, min, max, inside + 2 * sides,
-                  2 * lying_padding + title_size + 6 + lying_height + tick_gap + text_size);
-  const float top = l.panel.min.y + lying_padding + title_size + 6;
+                  2 * lying_padding + title_size + 6 + counts + lying_height + tick_gap + text_size);
+  const float top = l.panel.min.y + lying_padding + title_size + 6 + counts;
   l.bar = {{l.panel.min.x + sides, top}, {l.panel.max.x - sides, top + lying_height}};
   return l;
 }
@@ -175,14 +183,14 @@ void draw_scalar(const OverlayInfo& info, const RenderTheme& theme, Painter& pai
   const Box& bar = l->bar;
   painter.rectangle(l->panel.min, l->panel.max, theme.panel, 6);
   if (l->lies)
-    painter.text({bar.min.x, bar.min.y - 8}, l->title, title_size, theme.text);
+    painter.text({bar.min.x, l->panel.min.y + lying_padding + title_size - 2}, l->title, title_size, theme.text);
   else if (l->beside)
     painter.text({l->panel.min.x + padding + 0.75f * title_size, 0.5f * (bar.min.y + bar.max.y)}, l->title, title_size,
                  theme.text, TextAlign::centre, FontWeight::regular, 1);
   else
     painter.text({l->panel.max.x - padding, bar.min.y - 14}, l->title, title_size, theme.text, TextAlign::right);
   draw_gradient(info, painter, bar, l->lies);
-  if (!info.histogram.empty() && !l->lies) draw_histogram(info, theme, painter, bar);
+  if (!info.histogram.empty() && l->counts) draw_histogram(info, theme, painter, bar, l->lies);
   for (const Tick& t : l->ticks.major) draw_tick(t, info, theme, painter, *l);
 }
 

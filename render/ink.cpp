@@ -1,5 +1,6 @@
 #include "render/ink.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -37,7 +38,7 @@ void Ink::draw(InkPrograms& programs, const Frame& frame, const Anchor& anchor, 
     programs.segment.set("u_head", head * frame.scale());
     if (rim.a > 0) {
       programs.segment.set("u_rim", rgba(rim));
-      programs.segment.set("u_grow", frame.scale());
+      programs.segment.set("u_grow", std::min(1.f, width / 1.2f) * frame.scale());  // thin lines, thin rims
       segments_.draw_quads();
     }
     programs.segment.set("u_rim", glm::vec4(0));

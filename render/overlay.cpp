@@ -211,7 +211,7 @@ ViewMargins overlay_margins(int dimension, double width, double height) {
   ViewMargins m{28, 132, 68, 66};
   if (dimension == 3) m = {28, 132, 64, 40};
   if (legend_lies({0, 0}, {static_cast<float>(width), static_cast<float>(height)}))
-    m = {28, 28, 54, 82};
+    m = {28, 28, 54, 92};
   else if (height < static_cast<double>(lowest_with_lying_legend))
     m = {28, 140, 54, 66};
   return m;
@@ -223,10 +223,11 @@ void draw_overlay(const OverlayInfo& info, const RenderTheme& theme, Painter& pa
   if (info.color_bar && max.y - min.y > lowest_with_legend) draw_color_bar(info, theme, painter, min, max);
   float x = min.x + margin + 4, y = max.y - margin;
   if (info.axes) x = draw_axes(info, theme, painter, min, max);
+  const float begin = x;
   if (info.scale_bar) x = draw_scale_bar(info, theme, painter, x, y, std::min(120.f, 0.25f * (max.x - min.x)));
-  if (info.color_bar && legend_lies(min, max)) {  // the line below is taken
-    x = min.x + margin + 4;
-    y -= 90;
+  if (info.color_bar && legend_lies(min, max)) {  // the rest of this line is taken: above the scale bar
+    x = begin;
+    y -= 34;
   }
   x = draw_arrow_key(info, theme, painter, x, y);
   draw_cross_key(info, theme, painter, x, y);

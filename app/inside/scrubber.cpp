@@ -115,7 +115,9 @@ bool draw_scrubber(AppContext& context, float below) {
     choose_magnification(player);
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("Step %ld", player.record().step);
+    const Phase& now = player.phases()[player.phase_index()];
+    const std::string brief = now.kind == PhaseKind::iterate ? "iterate " + std::to_string(now.iterate) : now.brief;
+    ImGui::TextDisabled("Step %ld%s%s", player.record().step, brief.empty() ? "" : ": ", brief.c_str());
   }
   return !closed;
 }

@@ -32,7 +32,7 @@ struct Scenery {
 /// In 3D, and where nodes are many, marks on all of them would hide the body.
 bool marks_all_nodes(const Scenery& s) {
   const auto cell = s.record().spacing / s.map.metres_per_pixel(s.record().spacing * Vec3::Zero());
-  return s.record().dimension == 2 && cell > 0.5 * static_cast<double>(s.em);
+  return s.record().dimension == 2 && cell > 0.35 * static_cast<double>(s.em);
 }
 
 /// Discs whose area is the mass that a node has got so far.

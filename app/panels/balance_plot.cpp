@@ -99,7 +99,7 @@ std::string verdict(const Account& a, const std::vector<StepReport>& reports) {
   for (const StepReport& r : reports) most = std::max(most, r.balance.kinetic + r.balance.elastic);
   if (!(most > 0)) return "";
   return std::string(made <= 0 ? "The numerics lost " : "The numerics made ") + quantity(std::abs(made), "J", 3) +
-         ", " + quantity(100 * std::abs(made) / most, "", 2) + " % of the most that moved or strained";
+         ", " + quantity(100 * std::abs(made) / most, "", 2) + " % of the largest kinetic and elastic energy.";
 }
 
 /// The account as it stands, beside the pictures.

@@ -21,9 +21,11 @@ namespace {
 bool panel_header(const char* title, bool open) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(em(0.5F), em(0.35F)));
   ImGui::SetNextItemOpen(open);
+  ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_Button));
   ImGui::PushFont(bold_font());
   const bool now = ImGui::TreeNodeEx(title, ImGuiTreeNodeFlags_CollapsingHeader | ImGuiTreeNodeFlags_NoAutoOpenOnLog);
   ImGui::PopFont();
+  ImGui::PopStyleColor();
   ImGui::PopStyleVar();
   return now != open;
 }
@@ -69,8 +71,17 @@ void draw_open_panel(AppContext& context, const Panel& panel, float room) {
   const bool scrolls = room > em(14);
   const float most = std::max(em(10), room - ImGui::GetStyle().ItemSpacing.y);
   float& height = m.panel_heights[panel.title];
-  ImGui::BeginChild(panel.title, ImVec2(0, height > 0 && (!scrolls || height < most) ? height : most), false,
-                    scrolls ? 0 : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  // What a scroll bar makes narrower may become low enough to do without: then it keeps its width, so that the bar does
+  // not come and go.
+  bool& narrow = m.panel_narrow[panel.title];
+  const bool high = scrolls && height > most;
+  narrow = scrolls && (narrow ? height > most - em(4) : high);
+  ImGui::BeginChild(panel.title,
+                    ImVec2(narrow && !high ? -ImGui::GetStyle().ScrollbarSize : 0, height > 0 && !high ? height : most),
+                    false,
+                    high      ? ImGuiWindowFlags_AlwaysVerticalScrollbar
+                    : scrolls ? ImGuiWindowFlags_NoScrollbar
+                              : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   gap(0.4F);
   ImGui::Indent(em(0.25F));
   // A child-less way to keep the panel clear of the right edge: everything in it measures the available width.
@@ -136,7 +147,8 @@ void draw_bottom_drawer(AppContext& context) {
   for (const Panel& panel : panels())
     if (panel.dock == Dock::bottom && panel.relevant(context)) plots.push_back(&panel);
   if (plots.empty()) return;
-  if (!fits_tabs(plots)) {
+  m.plot_menu = !fits_tabs(plots);
+  if (m.plot_menu) {
     choose_plot(plots, m);
   } else if (ImGui::BeginTabBar("plots")) {
     choose_tab(context, plots, m);

@@ -30,6 +30,8 @@ struct PanelMemory {
   Typing typing;
   int open_left = 0;                           ///< index into the left panels, -1: all closed
   int shown_left = 0;                          ///< the one that was open in the last frame
+  bool plot_menu = false;                      ///< plots are chosen from a menu: their tabs have no room
+  std::map<std::string, bool> panel_narrow;    ///< laid out as if a scroll bar stood beside it
   std::map<std::string, float> panel_heights;  ///< of each left panel's contents when it was drawn last
   std::string plot;                            ///< title of the bottom panel shown
   bool show_plot = false;                      ///< bring it to the front in the next frame

@@ -101,7 +101,7 @@ void draw_momentum_plot(AppContext& context) {
   const std::vector<Line> lines = lines_of(m.current);
   if (list) {
     for (const Line& line : lines) {
-      legend_entry(context, line.color, line.name, newest(*line.values, ""), nullptr, line.dashed);
+      legend_entry(context, line.color, line.name, newest(*line.values, unit), nullptr, line.dashed);
     }
     pinned_runs(context);
     end_run_list();

@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "app/panels/memory.hpp"
@@ -9,6 +10,7 @@
 #include "app/panels/series.hpp"
 #include "app/widgets/plot.hpp"
 #include "app/widgets/run_list.hpp"
+#include "app/widgets/text.hpp"
 #include "app/widgets/units.hpp"
 #include "core/charts/theme.hpp"
 
@@ -26,11 +28,24 @@ double recent_mean(const std::vector<double>& values) {
 void list_phases(const AppContext& context, const Curves& c) {
   double sum = 0;
   for (const auto& values : c.phase) sum += recent_mean(values);
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(0, ImGui::GetStyle().ItemSpacing.y / 2));
+  const bool table = ImGui::BeginTable("shares", 2);
+  ImGui::PopStyleVar();
+  if (!table) return;
+  ImGui::TableSetupColumn("phase", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("share", ImGuiTableColumnFlags_WidthFixed, em(3.2F));
   for (std::size_t i = c.phase.size(); i-- > 0;) {
     const double mean = recent_mean(c.phase[i]);
-    const std::string share = sum > 0 ? "  " + quantity(100 * mean / sum, "", 2) + " %" : "";
-    legend_entry(context, i, phase_names[i], quantity(1e-3 * mean, "s", 3) + share);
+    ImGui::TableNextColumn();
+    legend_entry(context, i, phase_names[i], quantity(1e-3 * mean, "s", 3));
+    ImGui::TableNextColumn();
+    const int share = static_cast<int>(std::lround(sum > 0 ? 100 * mean / sum : 0));
+    const std::string text = (mean > 0 && share == 0 ? "< 1" : std::to_string(share)) + " %";
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x -
+                         ImGui::CalcTextSize(text.c_str()).x);
+    muted(text);
   }
+  ImGui::EndTable();
 }
 
 constexpr std::size_t most_bars = 100;
@@ -91,6 +106,8 @@ void draw_phases_plot(AppContext& context) {
   std::vector<double> stacked(c.size(), 0.0);
   for (std::size_t i = 0; i < c.phase.size(); ++i) {
     for (std::size_t k = 0; k < stacked.size(); ++k) stacked[k] += 1e-3 * c.phase[i][k];
+    // What takes no time, as line searches do while whole steps are right, would hide the line below it.
+    if (std::all_of(c.phase[i].begin(), c.phase[i].end(), [](double ms) { return ms == 0; })) continue;
     const Steps steps = along_steps(c.time, stacked);
     add_series(chart, phase_names[i], steps.x, steps.y, i, Role::current);
   }

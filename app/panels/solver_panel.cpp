@@ -1,16 +1,33 @@
 // Solver: how exactly each step is solved, and how the newest one went.
+#include <cctype>
+
 #include "app/panels/panels.hpp"
 #include "app/widgets/setting_widget.hpp"
 #include "app/widgets/text.hpp"
 #include "app/widgets/units.hpp"
+#include "core/scene/choices.hpp"
 
 namespace pf::app {
 
 namespace {
 
+/// `choice` as Simulation::solver_choice: the name, and after a colon why.
+void tell_solver(const std::string& choice) {
+  const std::size_t colon = choice.find(": ");
+  const std::string name = choice.substr(0, colon);
+  std::string_view label = name;
+  for (const Choice& c : solver_choices())
+    if (c.name == name) label = c.label;
+  property("Solved by", label);
+  if (colon == std::string::npos) return;
+  std::string why = choice.substr(colon + 2);
+  why[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(why[0])));
+  muted(why + ".");
+}
+
 void newest_step(const StepReport& report, const std::string& choice) {
   heading("Newest step");
-  if (!choice.empty()) property("Linear solver", choice);
+  if (!choice.empty()) tell_solver(choice);
   property("Newton iterations", std::to_string(report.newton.size()));
   property("Linear iterations", std::to_string(report.linear_iterations));
   property("Residual left", quantity(report.residual, "", 2));

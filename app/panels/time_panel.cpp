@@ -50,7 +50,7 @@ void judge_step(const AppContext& context) {
       "of the step's beginning, no longer fit.");
   if (!report.newton.empty()) {
     const bool converged = report.residual <= context.scene.solver.newton_tolerance;
-    property("Newton's residual", quantity(report.residual, "", 2));
+    property("Residual left", quantity(report.residual, "", 2));
     tooltip(converged ? "Below the tolerance: the step's equations are solved."
                       : "Above the tolerance: rounding leaves no lower energy to be found.");
     if (!converged)

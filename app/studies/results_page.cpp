@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/panels/memory.hpp"
 #include "app/studies/describe.hpp"
 #include "app/studies/pages.hpp"
 #include "app/theme.hpp"
@@ -137,7 +138,9 @@ void draw_side(AppContext& context, StudyDesk& desk) {
 }
 
 /// In a narrow drawer chart and study take turns; a line of text tells of both, as low as can be.
-void draw_switch(StudyDesk& desk) {
+void draw_switch(AppContext& context, StudyDesk& desk) {
+  if (memory(context).plot_menu) ImGui::SameLine();  // beside the menu
+  ImGui::AlignTextToFramePadding();
   ImGui::PushStyleColor(ImGuiCol_Text, accent_color());
   if (text_button(desk.show_list ? "Chart" : "Study")) desk.show_list = !desk.show_list;
   ImGui::PopStyleColor();
@@ -145,13 +148,15 @@ void draw_switch(StudyDesk& desk) {
   ImGui::SameLine();
   const StudyFigure* figure = desk.shown_figure();
   const bool chart = !desk.show_list && figure != nullptr && !desk.status.active();
-  const float room = ImGui::GetContentRegionAvail().x;
+  const float room = ImGui::GetContentRegionAvail().x - em(2.5F);  // the drawer's arrow
   std::string words = chart ? figure_words(*figure) : progress_words(desk.status);
-  while (words.size() > 4 && ImGui::CalcTextSize(words.c_str()).x > room) {
-    while (words.size() > 4 && (static_cast<unsigned char>(words.back()) & 0xc0) == 0x80) words.pop_back();
-    words.pop_back();
+  const auto width = [&] { return ImGui::CalcTextSize((words + "…").c_str()).x; };
+  const bool whole = ImGui::CalcTextSize(words.c_str()).x <= room;
+  while (!whole && !words.empty() && width() > room) {
+    while (!words.empty() && (static_cast<unsigned char>(words.back()) & 0xc0) == 0x80) words.pop_back();
+    if (!words.empty()) words.pop_back();
   }
-  muted(words);
+  if (words.size() > 4) muted(whole ? words : words + "…");
 }
 
 }  // namespace
@@ -167,7 +172,7 @@ void draw_results_page(AppContext& context, StudyDesk& desk) {
     ImGui::EndChild();
     return;
   }
-  draw_switch(desk);
+  draw_switch(context, desk);
   ImGui::BeginChild("page", ImVec2(0, 0), false, ImGuiWindowFlags_NoBackground);
   desk.show_list ? draw_side(context, desk) : draw_study_chart(context, desk);
   ImGui::EndChild();

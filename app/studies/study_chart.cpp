@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "app/studies/describe.hpp"
 #include "app/studies/pages.hpp"
@@ -43,7 +44,8 @@ Color packed(const ImVec4& c) {
 }
 
 /// A ring and a cross of hairs with a word beside it, readable over cells of any colour.
-void mark_here(const ChartLayout& layout, const ChartTheme& theme, const ChartPlace& place, Painter& painter) {
+void mark_here(const Chart& chart, const ChartLayout& layout, const ChartTheme& theme, const ChartPlace& place,
+               Painter& painter) {
   const Point2 at{static_cast<float>(layout.x.map.place(place.x)), static_cast<float>(layout.y.map.place(place.y))};
   if (!std::isfinite(at.x) || !std::isfinite(at.y) || !layout.plot.grown(1).contains(at)) return;
   const Color accent = packed(accent_color());
@@ -60,12 +62,28 @@ void mark_here(const ChartLayout& layout, const ChartTheme& theme, const ChartPl
   }
   const std::string words = place.measured ? "you are here" : "you are about here";
   const float width = painter.text_width(words, size, FontWeight::bold), pad = 0.3F * size;
-  const bool left = at.x + reach + width + 2 * pad > layout.plot.max.x;
-  const float x = left ? at.x - reach - pad - width : at.x + reach + pad;
-  // Beside a low dot the word stands above it, so that it does not cover the axis.
-  const float y = std::clamp(at.y - 0.6F * size, layout.plot.min.y + size, layout.plot.max.y - 0.4F * size);
-  painter.rectangle({x - pad, y - 0.95F * size}, {x + width + pad, y + 0.35F * size}, back, 0.25F * size);
-  painter.text({x, y}, words, size, accent, TextAlign::left, FontWeight::bold);
+  // Of the places around it the one that hides the fewest points.
+  const float beside = reach + pad, across = -width / 2, up = -reach - 0.6F * size, down = reach + 1.2F * size;
+  const Point2 offsets[] = {
+      {beside, -0.6F * size}, {-beside - width, -0.6F * size}, {across, up},   {across, down},
+      {beside, up},           {-beside - width, up},           {beside, down}, {-beside - width, down}};
+  std::optional<Box> best;
+  std::size_t fewest = 0;
+  for (const Point2& offset : offsets) {
+    const float x = at.x + offset.x, y = at.y + offset.y;
+    const Box box{{x - pad, y - 0.95F * size}, {x + width + pad, y + 0.35F * size}};
+    if (!layout.plot.contains(box.min) || !layout.plot.contains(box.max)) continue;
+    std::size_t hidden = 0;
+    for (std::size_t s = 0; s < chart.series.size(); ++s)
+      for (std::size_t k = 0; k < chart.series[s].x.size(); ++k)
+        hidden += box.grown(0.4F * size).contains(layout.place(chart, {s, k})) ? 1 : 0;
+    if (best && hidden >= fewest) continue;
+    best = box;
+    fewest = hidden;
+  }
+  if (!best) return;
+  painter.rectangle(best->min, best->max, back, 0.25F * size);
+  painter.text({best->min.x + pad, best->min.y + 0.95F * size}, words, size, accent, TextAlign::left, FontWeight::bold);
 }
 
 /// A ring around the answer to "cheapest for an error below".
@@ -113,7 +131,7 @@ void draw_study_chart(AppContext& context, StudyDesk& desk) {
       desk.place ? place_on(*figure, study, *desk.place) : std::optional<ChartPlace>();
   look.overlay = [&](const ChartLayout& layout, const ChartTheme& theme, Painter& painter) {
     if (answer && !figure->is_map()) mark_answer(*figure, chart, layout, theme, answer->best->point, painter);
-    if (here) mark_here(layout, theme, *here, painter);
+    if (here) mark_here(chart, layout, theme, *here, painter);
   };
   look.hover = [&](const PlotTarget& target) {
     if (const auto setting = setting_at(*figure, target)) tell(desk, *setting);

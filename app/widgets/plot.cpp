@@ -127,7 +127,7 @@ void handle_target(const Chart& chart, const ChartTheme& theme, const ChartLayou
 
 void plot(AppContext& context, const char* stem, Chart chart, PlotView& view, const PlotLook& look) {
   const ImVec2 size = ImGui::GetContentRegionAvail();
-  if (size.x < em(8) || size.y < em(5)) return;
+  if (size.x < em(8) || size.y < em(4)) return muted("Drag the drawer higher to see the chart.");
   load_view(chart, view);
   const Chart whole = chart;
   // The list beside it is its legend; a small plot has room for none: hovering names the curves.

@@ -1,8 +1,10 @@
 #include "app/widgets/run_list.hpp"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/panels/memory.hpp"
 #include "app/widgets/text.hpp"
@@ -53,7 +55,13 @@ bool room_for_list() {
 }
 
 bool begin_run_list() {
-  if (!room_for_list()) return false;
+  if (!room_for_list()) {
+    ImGui::SameLine();  // beside the plots' menu
+    if (ImGui::Button("Curves")) ImGui::OpenPopup("curves");
+    const float most = 0.7F * ImGui::GetIO().DisplaySize.y;
+    ImGui::SetNextWindowSizeConstraints(ImVec2(em(16), 0), ImVec2(em(16), most));
+    return ImGui::BeginPopup("curves");
+  }
   // The table of Newton's iterations needs as much as the least.
   const float width = std::clamp(ImGui::GetContentRegionAvail().x * 0.4F, em(15.4F), em(16));
   ImGui::BeginChild("legend", ImVec2(width, 0), false, ImGuiWindowFlags_NoBackground);
@@ -61,6 +69,7 @@ bool begin_run_list() {
 }
 
 void end_run_list() {
+  if ((ImGui::GetCurrentWindow()->Flags & ImGuiWindowFlags_Popup) != 0) return ImGui::EndPopup();
   ImGui::EndChild();
   ImGui::SameLine(0, em());
 }

@@ -11,8 +11,8 @@ namespace pf::app {
 
 /// Whether list and plot stand side by side; in a narrower drawer the plot gets all of it and its own legend.
 bool room_for_list();
-/// Starts the list at the left of a plot; when true, end_run_list puts the cursor where the plot goes. False: there
-/// is no room for it.
+/// Starts the list at the left of a plot; when true, end_run_list puts the cursor where the plot goes. Without the
+/// room it is behind the button "Curves"; false: closed.
 bool begin_run_list();
 void end_run_list();
 

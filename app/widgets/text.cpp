@@ -57,11 +57,22 @@ void gap(float height) {
 
 void tooltip(std::string_view text) {
   if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsAnyMouseDown()) return;
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax(), pad(em(0.75F), em(0.75F));
+  const ImVec2 size = ImGui::CalcTextSize(text.data(), text.data() + text.size(), false, em(24));
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  if (high.y - low.y < em(3)) {  // below it, not over it; above where there is no room
+    const float height = size.y + 2 * pad.y, apart = em(0.3F);
+    const float y = high.y + apart + height < display.y ? high.y + apart : low.y - apart - height;
+    const float x = std::min(low.x, display.x - size.x - 2 * pad.x);
+    if (x >= 0 && y >= 0) ImGui::SetNextWindowPos(ImVec2(x, y));
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, pad);
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(em(24));
+  ImGui::PushTextWrapPos(pad.x + em(24));
   text_unformatted(text);
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
+  ImGui::PopStyleVar();
 }
 
 void property(std::string_view label, std::string_view value) {

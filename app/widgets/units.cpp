@@ -110,6 +110,7 @@ std::string quantity(double value, std::string_view unit, int digits) {
       chosen = &p;
       break;
     }
+  if (chosen->factor > 1 && unit == "s") chosen = &prefixes[3];  // nobody counts in kiloseconds
   // Lengths and times a little below one read better undivided: 0.5 m, 0.25 s.
   if (chosen->factor == 1e-3 && size >= 0.1 && (unit == "m" || unit == "s")) chosen = &prefixes[3];
   if (chosen == &prefixes.back() && size < 1e-12) return with_minus(shortest(value, digits)) + " " + text;

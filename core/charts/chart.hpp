@@ -37,6 +37,7 @@ struct Series {
   SeriesStyle style = SeriesStyle::line;
   std::optional<Color> color = {};              ///< unset: the theme's next
   std::optional<std::size_t> color_index = {};  ///< the theme's colour of this index, the same in every chart
+  bool ink = false;                             ///< in the colour of text
   bool dashed = false;
   bool pinned = false;      ///< an earlier run: grey, behind the others
   bool right_axis = false;  ///< belongs to Chart::right

@@ -20,11 +20,12 @@ float crisp(double pixel) {
 
 Color series_color(const Chart& chart, const ChartTheme& theme, std::size_t index) {
   const Series& series = chart.series[index];
+  if (series.ink) return theme.text;
   if (series.color) return *series.color;
   if (series.color_index) return theme.series[*series.color_index % theme.series.size()];
   if (series.pinned) return theme.pinned;
   const auto before = std::count_if(chart.series.begin(), chart.series.begin() + static_cast<std::ptrdiff_t>(index),
-                                    [](const Series& s) { return !s.pinned && !s.color && !s.color_index; });
+                                    [](const Series& s) { return !s.pinned && !s.ink && !s.color && !s.color_index; });
   return theme.series[static_cast<std::size_t>(before) % theme.series.size()];
 }
 

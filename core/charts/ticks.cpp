@@ -33,7 +33,8 @@ TickSet with_step(double min, double max, const Step& step) {
   const double size = step.size(), slack = 1e-9 * size;
   const double first = std::ceil((min - slack) / size), last = std::floor((max + slack) / size);
   TickSet set;
-  const double largest = std::max(std::abs(first), std::abs(last)) * size;
+  double largest = std::max(std::abs(first), std::abs(last)) * size;
+  if (largest == 0) largest = std::max(std::abs(min), std::abs(max));  // zero alone: the range says of what size
   if (largest >= 1e4 * (1 - 1e-12) || (largest > 0 && largest < 1e-2)) {
     set.exponent = 3 * static_cast<int>(std::floor(std::log10(largest) / 3 + 1e-12));
   }

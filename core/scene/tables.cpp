@@ -163,7 +163,7 @@ const Table& solver_table() {
         .help(
             "A step is accepted when the residual is below this share of the forces in play; it means the same at any "
             "stiffness, spacing and step.");
-    t.integer(&SolverSettings::max_newton, "max_newton", "Newton iterations")
+    t.integer(&SolverSettings::max_newton, "max_newton", "Most Newton iterations")
         .at_least(1)
         .at_most(10000)
         .slider(1, 100)

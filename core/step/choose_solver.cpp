@@ -90,13 +90,13 @@ std::string SimulationOf<D>::automatic_solver(double dt) {
   } else if (coarsens && jacobi > gain * multigrid) {
     print(choice_reason_,
           counted ? "block-Jacobi took %.0f iterations a solve"
-                  : "about %.0f iterations a solve of block-Jacobi are expected of waves this fast",
+                  : "of block-Jacobi about %.0f iterations a solve are expected with waves this fast",
           jacobi);
     return "pcg_multigrid";
   }
   print(choice_reason_,
-        counted ? "%.0f iterations a solve of block-Jacobi were counted"
-                : "about %.0f iterations a solve of block-Jacobi are expected of waves this fast",
+        counted ? "block-Jacobi took %.0f iterations a solve"
+                : "of block-Jacobi about %.0f iterations a solve are expected with waves this fast",
         jacobi);
   return "pcg_jacobi";
 }

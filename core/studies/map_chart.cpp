@@ -123,7 +123,7 @@ void add_limits(const Study& study, const Chart& frame, Chart& chart) {
     const bool up = !limit.y.empty();  // y as a function of x
     const Axis& axis = up ? frame.x : frame.y;
     const Expression expression = Expression::compile(up ? limit.y : limit.x, {}, 1u << (up ? var_x : var_y));
-    Series series{.label = limit.label, .color = Color{0.05f, 0.05f, 0.05f, 1}, .outlined = true};
+    Series series{.label = limit.label, .ink = true, .outlined = true};
     series.dashed = chart.series.size() % 2 == 1;
     for (int k = 0; k <= pieces; ++k) {
       const double t = static_cast<double>(k) / pieces, low = *axis.min, high = *axis.max;

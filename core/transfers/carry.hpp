@@ -24,8 +24,7 @@ void carry_velocities(const Plan<D>& plan, const Particles<D>& particles, const 
         Lane room[2 * D * K], value[D], C[D * D], flux[D][D], moments[S::values * (dense ? D : 1)];
         const Lane* const w = plan.weights(i, room);
         velocities.template ride<K, dense>({plan, particles, block, batch, w}, nodes + batch.node * D, value, C);
-        const Lane m =
-            load_lane<Lane>(particles.mass.data() + static_cast<std::size_t>(batch.first), batch.count);
+        const Lane m = load_lane<Lane>(particles.mass.data() + static_cast<std::size_t>(batch.first), batch.count);
         for (int a = 0; a < D; ++a) value[a] *= m;
         if constexpr (affine) {
           for (int a = 0; a < D; ++a)
