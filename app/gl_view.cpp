@@ -103,7 +103,7 @@ ViewMargins GlView::margins() const {
     return both > 0 ? scale * std::min(1.0, (1 - least) * side / (scale * both)) : scale;
   };
   const double across = shrunk(m.left + m.right, size_.width), along = shrunk(m.top + m.bottom, size_.height);
-  return {across * m.left, across * m.right, along * m.top, along * m.bottom};
+  return settled(m.scaled(across, along), camera_, fitted_, size_);
 }
 
 void GlView::follow_camera(const Snapshot& snapshot) {
@@ -114,7 +114,8 @@ void GlView::follow_camera(const Snapshot& snapshot) {
     fitted_size_ = fitted_.size().maxCoeff();
     fit_wanted_ = false;
     follow_size_ = true;
-    camera_ = fitted_camera(dimension_, fitted_, size_, margins());
+    camera_ = fitted_camera(dimension_, fitted_, size_);
+    std::visit([&](auto& camera) { camera.fit(fitted_, size_, margins()); }, camera_);
   } else if (follow_size_) {
     // Bodies that move out of sight take the view with them; not while the mouse pulls at them.
     const bool moved = !shown_ || shown_->snapshot.get() != &snapshot;

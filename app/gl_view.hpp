@@ -53,7 +53,7 @@ class GlView {
   /// For a picture of this size [pixels]: while the view's camera is the fitted one, fitted anew with `margins` [units
   /// of the overlay, `scale` pixels each]; else it shows what the view does, and more where the picture has another
   /// shape.
-  Camera picture_camera(ViewSize picture, ViewMargins margins, double scale) const;
+  Camera picture_camera(ViewSize picture, const ViewMargins& margins, double scale) const;
   /// Shows everything that matters from the next snapshot on; until the user moves the camera it follows the size.
   void fit() { fit_wanted_ = true; }
   /// Another run begins: the colour range starts anew, the tool lets go.

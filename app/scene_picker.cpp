@@ -30,6 +30,7 @@ std::vector<SceneChoice> matching(const std::vector<SceneChoice>& choices, const
   }
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<SceneChoice> offered;
+  offered.reserve(found.size());
   for (const auto& [score, i] : found) offered.push_back(choices[i]);
   return offered;
 }

@@ -19,11 +19,11 @@ ViewSize picture_size(const PictureRequest& request, ViewSize view) {
 
 }  // namespace
 
-Camera GlView::picture_camera(ViewSize picture, ViewMargins margins, double scale) const {
+Camera GlView::picture_camera(ViewSize picture, const ViewMargins& margins, double scale) const {
   Camera camera = camera_;
   if (follow_size_) {
-    margins = {scale * margins.left, scale * margins.right, scale * margins.top, scale * margins.bottom};
-    std::visit([&](auto& c) { c.fit(fitted_, picture, margins); }, camera);
+    const ViewMargins pixels = settled(margins.scaled(scale, scale), camera, fitted_, picture);
+    std::visit([&](auto& c) { c.fit(fitted_, picture, pixels); }, camera);
     return camera;
   }
   const double finer =

@@ -116,6 +116,20 @@ void OrbitCamera::fit(const ViewBounds& bounds, ViewSize size, const ViewMargins
   pan(shift, size);
 }
 
+ViewMargins settled(const ViewMargins& m, const Camera& camera, const ViewBounds& bounds, ViewSize size) {
+  const ViewMargins above{m.left, m.right, m.top, m.bottom};
+  if (m.left_corner + m.right_corner <= 0) return above;
+  const ViewMargins between{std::max(m.left, m.left_corner), std::max(m.right, m.right_corner), m.top, m.between};
+  const auto largeness = [&](const ViewMargins& margins) {
+    Camera fitted = camera;
+    std::visit([&](auto& c) { c.fit(bounds, size, margins); }, fitted);
+    if (const auto* flat = std::get_if<Camera2D>(&fitted)) return flat->pixels_per_metre;
+    return std::get<OrbitCamera>(fitted).pixels_per_metre(size);
+  };
+  const bool room = size.width - between.left - between.right > 0.25 * size.width;
+  return room && largeness(between) > largeness(above) ? between : above;
+}
+
 Camera fitted_camera(int dimension, const ViewBounds& bounds, ViewSize size, const ViewMargins& margins) {
   if (dimension == 2) {
     Camera2D camera;

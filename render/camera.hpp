@@ -24,6 +24,14 @@ struct ViewBounds {
 /// Blank margins around fitted content, in pixels: room for the overlay.
 struct ViewMargins {
   double left = 0, right = 0, top = 0, bottom = 0;
+  /// What stands in the lower corners, and the margin between them: another way to keep clear of it than `bottom`
+  /// (settled). 0: there is none.
+  double left_corner = 0, right_corner = 0, between = 0;
+
+  ViewMargins scaled(double across, double along) const {
+    return {across * left,        across * right,        along * top,    along * bottom,
+            across * left_corner, across * right_corner, along * between};
+  }
 };
 
 /// Looks straight at the x-y plane; y points upwards on the screen.
@@ -74,6 +82,8 @@ struct OrbitCamera {
 using Camera = std::variant<Camera2D, OrbitCamera>;
 
 /// A camera of the right kind for `dimension`, showing all of `bounds`.
+/// Above what stands in the lower corners or between it: whichever shows `bounds` larger.
+ViewMargins settled(const ViewMargins& margins, const Camera& camera, const ViewBounds& bounds, ViewSize size);
 Camera fitted_camera(int dimension, const ViewBounds& bounds, ViewSize size, const ViewMargins& margins = {});
 /// Empty behind an orbit camera's eye.
 std::optional<Vec<2>> to_pixel(const Camera& camera, const Vec3& world, ViewSize size);

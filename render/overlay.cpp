@@ -153,7 +153,7 @@ void draw_cross_key(const OverlayInfo& info, const RenderTheme& theme, Painter& 
                                     {compression_color(theme), std::string("compression")}}) {
     const std::array line{Point2{at, y - 2}, Point2{at + length, y - 2}};
     line_with_rim(painter, theme, line, color, 2.4f);
-    const std::string words = name == "tension" ? text + " " + name : name;
+    const std::string words = name == "tension" ? text.append(" ").append(name) : name;
     text_with_rim(painter, theme, {at, y - 11}, words, small_size, theme.text);
     at += std::max(length, painter.text_width(words, small_size)) + 16;
   }
@@ -211,7 +211,7 @@ ViewMargins overlay_margins(int dimension, double width, double height) {
   ViewMargins m{28, 132, 68, 66};
   if (dimension == 3) m = {28, 132, 64, 40};
   if (legend_lies({0, 0}, {static_cast<float>(width), static_cast<float>(height)}))
-    m = {28, 28, 54, 92};
+    m = {28, 28, 54, 92, 96 + std::min(120.0, 0.25 * width), 68 + std::clamp(0.34 * width, 160.0, 200.0), 18};
   else if (height < static_cast<double>(lowest_with_lying_legend))
     m = {28, 140, 54, 66};
   return m;

@@ -74,7 +74,7 @@ Camera picture_camera(int dimension, const ViewBounds& bounds, ViewSize size, bo
   const double scale = scale_of(size);
   ViewMargins margins =
       overlay ? overlay_margins(dimension, size.width / scale, size.height / scale) : ViewMargins{24, 24, 24, 24};
-  margins = {scale * margins.left, scale * margins.right, scale * margins.top, scale * margins.bottom};
+  margins = settled(margins.scaled(scale, scale), fitted_camera(dimension, bounds, size), bounds, size);
   return fitted_camera(dimension, bounds, size, margins);
 }
 
