@@ -107,6 +107,10 @@ void Workbench::draw_run_menu() {
   menu_item(Action::bad_step);
   menu_item(Action::branch);
   draw_rewind_memory_menu();
+  if (ImGui::BeginMenu("At the end of the time")) {
+    draw_end_choices();
+    ImGui::EndMenu();
+  }
   ImGui::Separator();
   if (ImGui::MenuItem("Compare runs…")) context_.show_plot("Compare");
   if (ImGui::MenuItem("Study this scene…")) {

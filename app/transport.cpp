@@ -166,11 +166,16 @@ void Workbench::draw_playback_choices() {
   ImGui::SetNextItemWidth(width);
   const auto end = static_cast<std::size_t>(at_end_);
   if (ImGui::BeginCombo("##at-end", brief ? brief_ends[end] : ends[end])) {
-    for (std::size_t i = 0; i < ends.size(); ++i)
-      if (ImGui::Selectable(ends[i], i == end)) session_.set_at_end(at_end_ = static_cast<AtEnd>(i));
+    draw_end_choices();
     ImGui::EndCombo();
   }
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("What happens at t = %g s", context_.scene.time.end);
+}
+
+void Workbench::draw_end_choices() {
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    if (ImGui::MenuItem(ends[i], nullptr, at_end_ == static_cast<AtEnd>(i)))
+      session_.set_at_end(at_end_ = static_cast<AtEnd>(i));
 }
 
 void Workbench::draw_clock() {

@@ -171,6 +171,7 @@ class Workbench {
   void draw_transport();
   void draw_transport_buttons();
   void draw_playback_choices();
+  void draw_end_choices();
   void draw_clock();
   void draw_transport_status(float right_edge);
   void draw_dialogs();

@@ -213,7 +213,7 @@ ViewMargins overlay_margins(int dimension, double width, double height) {
   if (legend_lies({0, 0}, {static_cast<float>(width), static_cast<float>(height)}))
     m = {28, 28, 54, 92, 96 + std::min(120.0, 0.25 * width), 68 + std::clamp(0.34 * width, 160.0, 200.0), 18};
   else if (height < static_cast<double>(lowest_with_lying_legend))
-    m = {28, 140, 54, 66};
+    m = {130, height > static_cast<double>(lowest_with_legend) ? 140.0 : 28.0, 10, 30};  // beside the tools
   return m;
 }
 

@@ -313,9 +313,9 @@ void draw_compare_panel(AppContext& context) {
   const bool wide = width > em(both);
   if (!wide && desk.active()) {
     int which = desk.show_plot ? 1 : 0;
-    ImGui::RadioButton("Table", &which, 0);
+    outlined_radio("Table", &which, 0);
     ImGui::SameLine();
-    ImGui::RadioButton("Plot", &which, 1);
+    outlined_radio("Plot", &which, 1);
     desk.show_plot = which == 1;
   }
   const bool table = wide || !desk.show_plot || !desk.active();

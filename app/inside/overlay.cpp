@@ -25,6 +25,7 @@ void draw_stencil(Painter& painter, const ViewMap& map, const Vec3& x, const std
   const auto centre = map.to_pixel(x);
   if (!centre) return;
   const auto cell = static_cast<float>(dx / map.metres_per_pixel(x));
+  const float smaller = std::min(1.0F, cell / (2.2F * map.em()));  // where cells are small
   double steepest = 0;
   for (const NodeWeight& n : nodes) steepest = std::max(steepest, n.grad.norm());
   for (const NodeWeight& n : nodes)
@@ -36,13 +37,13 @@ void draw_stencil(Painter& painter, const ViewMap& map, const Vec3& x, const std
     const float largest = std::min(0.5F * cell, 1.6F * map.em());
     mark_disc(painter, *at, std::max(1.5F, largest * static_cast<float>(std::sqrt(std::max(0.0, n.w)))), mark_blue);
     const auto tip = map.to_pixel(place_of(n.node, dx) + 0.45 * dx / std::max(steepest, 1e-300) * n.grad);
-    if (tip && cell > 1.5F * map.em()) mark_arrow(painter, *at, *tip, mark_amber, 0.8F * map.em());
+    if (tip && cell > 0.8F * map.em()) mark_arrow(painter, *at, *tip, mark_amber, 0.8F * smaller * map.em());
     if (cell < 5 * map.em()) continue;
     char text[16];
     std::snprintf(text, sizeof text, "%.3f", n.w);
     mark_label(painter, *at, text, map.em());
   }
-  mark_disc(painter, *centre, 0.28F * map.em(), mark_white);
+  mark_disc(painter, *centre, 0.28F * smaller * map.em(), mark_white);
 }
 
 /// What the step's own weights are known of: the particle that is looked at, where this picture shows it.
@@ -101,8 +102,10 @@ void draw_node(Painter& painter, const ViewMap& map, const NodeIndex& node, cons
   const auto at = map.to_pixel(x);
   if (!at) return;
   const float em = map.em();
-  painter.ring(*at, 0.55F * em, mark_rim, 0.32F * em);
-  painter.ring(*at, 0.55F * em, mark_green, 0.16F * em);
+  const auto cell = static_cast<float>(dx / map.metres_per_pixel(x));
+  const float radius = std::clamp(0.45F * cell, 0.25F * em, 0.55F * em);
+  painter.ring(*at, radius, mark_rim, 0.32F * em);
+  painter.ring(*at, radius, mark_white, 0.16F * em);
   const BasisInfo* basis = find_basis(context.scene.grid.basis);
   if (context.snapshot->dimension != 2 || basis == nullptr) return;
   // Where its function is not zero.
@@ -111,7 +114,7 @@ void draw_node(Painter& painter, const ViewMap& map, const NodeIndex& node, cons
   if (!low || !high) return;
   const std::array box{*low, Point2{high->x, low->y}, *high, Point2{low->x, high->y}, *low};
   painter.polyline(box, mark_rim, 0.2F * em, 0.5F * em);
-  painter.polyline(box, mark_green, 0.1F * em, 0.5F * em);
+  painter.polyline(box, mark_white, 0.1F * em, 0.5F * em);
 }
 
 void draw_worst(Painter& painter, const ViewMap& map, const AppContext& context) {
@@ -130,7 +133,7 @@ void draw_worst(Painter& painter, const ViewMap& map, const AppContext& context)
   painter.ring(*at, 0.8F * map.em(), mark_rim, 0.36F * map.em());
   painter.ring(*at, 0.8F * map.em(), mark_red, 0.18F * map.em());
   char text[64];
-  std::snprintf(text, sizeof text, "Largest residual: %.0f %% of it", 100 * first.worst_share);
+  std::snprintf(text, sizeof text, "Largest here: %.0f %% of the squared residual", 100 * first.worst_share);
   mark_label(painter, {at->x + 0.4F * map.em(), at->y}, text, map.em());
 }
 

@@ -98,8 +98,8 @@ void draw_shape_curves(Painter& painter, const ShapeCurves& c) {
     char text[16];
     std::snprintf(text, sizeof text, "%.2f", N[i]);
     const Point2 words = c.place(high, 0);
-    painter.text({words.x, words.y - 0.25F * c.em - static_cast<float>(K - 1 - k) * 1.05F * c.em}, text, 0.85F * c.em,
-                 look.series[i], TextAlign::right);
+    painter.text({words.x + c.aside, words.y - 0.25F * c.em - static_cast<float>(K - 1 - k) * 1.05F * c.em}, text,
+                 0.85F * c.em, look.series[i], TextAlign::right);
   }
 }
 
@@ -123,11 +123,10 @@ void shape_plot(const AppContext& context, const ParticleState& particle) {
     std::array<double, max_nodes_per_axis> N{}, dN{};
     basis->weights(curves.s, base, N.data(), dN.data());
     const double low = static_cast<double>(base) - 0.5 * basis->nodes_per_axis, span = 2.0 * basis->nodes_per_axis - 1;
-    // The values stand to the right of the curves.
+    curves.aside = right;
     curves.place = [&](double s, double n) {
       const double u = (s - low) / span;
-      const float end = u >= 1 - 1e-9 ? right : 0;
-      return Point2{at.x + left + static_cast<float>(u) * (width - left - right) + end,
+      return Point2{at.x + left + static_cast<float>(u) * (width - left - right),
                     at.y + height - static_cast<float>(n) * (height - em(0.4F))};
     };
     draw_shape_curves(painter, curves);

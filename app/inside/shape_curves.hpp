@@ -25,7 +25,8 @@ struct ShapeCurves {
   std::function<Point2(double, double)> place;  ///< of (s, N)
   float em = 15;
   Theme theme = Theme::dark;
-  bool values = true;  ///< writes N at the cut
+  bool values = true;  ///< writes N at the cut, in a column at the end of the axis
+  float aside = 0;     ///< how far beyond it
 };
 /// The curves, their axis, the nodes on it, and the cut with its values.
 void draw_shape_curves(Painter& painter, const ShapeCurves& curves);

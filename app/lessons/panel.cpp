@@ -35,7 +35,7 @@ bool draw_head(AppContext& context, LessonDesk& desk) {
   list.AddRectFilled(at, ImVec2(at.x + share * width, at.y + height), ImGui::GetColorU32(accent_color()), height / 2);
   ImGui::Dummy(ImVec2(width, height));
   bool big = desk.big;
-  if (ImGui::Checkbox("Large text", &big)) set_big(context, desk, big);
+  if (tick_box("Large text", &big)) set_big(context, desk, big);
   tooltip("For a projector.");
   const float close = ImGui::CalcTextSize("Close").x + 2 * ImGui::GetStyle().FramePadding.x;
   ImGui::SameLine(ImGui::GetContentRegionMax().x - close);
@@ -92,7 +92,7 @@ void draw_question(LessonDesk& desk) {
     ImGui::PushID(static_cast<int>(k));
     ImGui::BeginGroup();
     const bool chosen = desk.answer_ == k;
-    if (ImGui::RadioButton("##choice", chosen)) desk.answer_ = k;
+    if (outlined_radio("##choice", chosen)) desk.answer_ = k;
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     paragraph(q.choices[k]);

@@ -156,7 +156,9 @@ void draw_bottom_drawer(AppContext& context) {
   }
   const auto shown = std::find_if(plots.begin(), plots.end(), [&](const Panel* p) { return m.plot == p->title; });
   // A closed drawer is its tabs alone.
-  const bool open = shown != plots.end() && ImGui::GetContentRegionAvail().y > em(4);
+  const float room = ImGui::GetContentRegionAvail().y;
+  const bool open = shown != plots.end() && room > em(4);
+  if (!open && room > em(1.2F)) muted("Drag the drawer higher to see more.");
   context.session.set_ledger(open && (*shown)->draw == draw_balance_plot);
   if (open) {
     ImGui::PushID((*shown)->title);

@@ -73,9 +73,9 @@ std::vector<Line> angular_lines(const Curves& c, int dimension, bool split, std:
 
 void choose(PlotMemory& m) {
   int which = m.angular ? 1 : 0;
-  ImGui::RadioButton("Linear", &which, 0);
+  outlined_radio("Linear", &which, 0);
   ImGui::SameLine();
-  ImGui::RadioButton("Angular", &which, 1);
+  outlined_radio("Angular", &which, 1);
   if ((which == 1) != m.angular) m.view[1] = {};
   m.angular = which == 1;
   if (m.angular) {

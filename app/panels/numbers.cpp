@@ -61,7 +61,7 @@ std::string vector_text(const Vec3& v, int d, const char* unit, int digits) {
 
 std::string index_text(const std::array<std::int32_t, 3>& index, int d) {
   std::string text = "(";
-  for (std::size_t a = 0; a < static_cast<std::size_t>(d); ++a) text += (a > 0 ? ", " : "") + std::to_string(index[a]);
+  for (std::size_t a = 0; a < static_cast<std::size_t>(d); ++a) text += (a > 0 ? ", " : "") + quantity(index[a], "", 9);
   return text + ")";
 }
 

@@ -56,7 +56,16 @@ void draw_nodes(AppContext& context, const ParticleLook& look, int d) {
   if (!foldable("Shape functions", true)) return;
   shape_plot(context, look.state);
   constexpr auto flags = ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings;
-  if (ImGui::BeginTable("nodes", 3, flags)) {
+  if (d == 3) {  // three components have no room beside the others
+    for (const NodeWeight& n : look.nodes) {
+      const float left = ImGui::GetCursorPosX();
+      const std::string id = "##" + index_text(n.node, d);
+      if (ImGui::Selectable(id.c_str(), context.selected_node == n.node)) context.selected_node = n.node;
+      ImGui::SameLine(left);
+      property("w of " + index_text(n.node, d), quantity(n.w, "", 3));
+      property("\xe2\x88\x87w [1/m]", vector_text(n.grad, d, "", 2));
+    }
+  } else if (ImGui::BeginTable("nodes", 3, flags)) {
     for (const char* head : {"Node", "w", "\xe2\x88\x87w [1/m]"}) {
       ImGui::TableNextColumn();
       ImGui::TextDisabled("%s", head);

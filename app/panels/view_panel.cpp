@@ -107,9 +107,9 @@ void draw_view_panel(AppContext& context) {
   choose_layers(m, view, context.scene.dimension);
   heading("Window");
   int theme = view.theme == Theme::dark ? 0 : 1;
-  ImGui::RadioButton("Dark", &theme, 0);
+  outlined_radio("Dark", &theme, 0);
   ImGui::SameLine();
-  ImGui::RadioButton("Light", &theme, 1);
+  outlined_radio("Light", &theme, 1);
   view.theme = theme == 0 ? Theme::dark : Theme::light;
   double scale = std::round(100 * static_cast<double>(view.ui_scale));
   Setting s = view_setting("Size of text and controls", "%", 75, 250, "Size of everything but the view itself.");

@@ -29,7 +29,7 @@ void radio(const char* label, T& value, T is, bool first) {
   const float width = ImGui::GetFrameHeight() + style.ItemInnerSpacing.x + ImGui::CalcTextSize(label).x;
   const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
   if (!first && ImGui::GetItemRectMax().x + style.ItemSpacing.x + width <= right) ImGui::SameLine();
-  if (ImGui::RadioButton(label, value == is)) value = is;
+  if (outlined_radio(label, value == is)) value = is;
 }
 
 std::string number(double value) {
@@ -79,12 +79,12 @@ void Recorder::draw_schedule(const AppContext& context) {
   heading("A frame every");
   const TimeSettings& time = context.scene.time;
   bool by_time = !choice_.by_steps;
-  if (ImGui::RadioButton("##time", by_time)) choice_.by_steps = false;
+  if (outlined_radio("##time", by_time)) choice_.by_steps = false;
   ImGui::SameLine();
   ImGui::SetNextItemWidth(em(7));
   if (ImGui::InputDouble("s of simulated time", &choice_.every.seconds, 0, 0, "%.6g")) choice_.by_steps = false;
   if (!(choice_.every.seconds > 0)) choice_.every.seconds = time.frame.value_or(time.step);
-  if (ImGui::RadioButton("##steps", choice_.by_steps)) choice_.by_steps = true;
+  if (outlined_radio("##steps", choice_.by_steps)) choice_.by_steps = true;
   ImGui::SameLine();
   ImGui::SetNextItemWidth(em(7));
   int steps = static_cast<int>(choice_.every.steps);

@@ -58,7 +58,7 @@ void draw_choices(StudyDesk& desk, DraftAxis& axis, const Setting& setting) {
     first = false;
     const auto found = std::find(axis.values.begin(), axis.values.end(), value);
     bool on = found != axis.values.end();
-    if (ImGui::Checkbox(label.c_str(), &on)) {
+    if (tick_box(label.c_str(), &on)) {
       changed(desk);
       if (on) {
         axis.values.push_back(value);

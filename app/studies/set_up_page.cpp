@@ -93,7 +93,7 @@ bool quantity_option(AppContext& context, const char* key, const char* label, co
 
 void draw_kind(AppContext& context, StudyDesk& desk, bool in_a_row) {
   const auto radio = [&](const char* label, StudyKind kind, const char* help) {
-    if (ImGui::RadioButton(label, desk.draft.kind == kind) && desk.draft.kind != kind) desk.propose(context, kind);
+    if (outlined_radio(label, desk.draft.kind == kind) && desk.draft.kind != kind) desk.propose(context, kind);
     tooltip(help);
   };
   radio("Speed and accuracy", StudyKind::work_precision, "Charts each setting's error against what it costs.");

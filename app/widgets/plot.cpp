@@ -128,6 +128,14 @@ void handle_target(const Chart& chart, const ChartTheme& theme, const ChartLayou
 void plot(AppContext& context, const char* stem, Chart chart, PlotView& view, const PlotLook& look) {
   const ImVec2 size = ImGui::GetContentRegionAvail();
   if (size.x < em(8) || size.y < em(4)) return muted("Drag the drawer higher to see the chart.");
+  // Before the first step there is one time, and none before it.
+  bool one = !chart.series.empty() && !chart.series.front().x.empty();
+  for (const Series& s : chart.series)
+    for (const double x : s.x) one = one && x == chart.series.front().x.front();
+  if (one && chart.x.scale == AxisScale::linear && !chart.x.min && !chart.x.max) {
+    chart.x.min = chart.series.front().x.front();
+    chart.x.max = *chart.x.min + 1;
+  }
   load_view(chart, view);
   const Chart whole = chart;
   // The list beside it is its legend; a small plot has room for none: hovering names the curves.

@@ -215,7 +215,7 @@ bool draw_flags(Widget& w) {
   for (std::size_t i = 0; i < std::min<std::size_t>(w.value.size(), 3); ++i) {
     bool on = w.value[i].is_boolean() && w.value[i].get<bool>();
     if (i > 0) ImGui::SameLine(0, em(1));
-    if (ImGui::Checkbox(names[i], &on)) changed |= w.apply_at(w.pointer + "/" + std::to_string(i), on);
+    if (tick_box(names[i], &on)) changed |= w.apply_at(w.pointer + "/" + std::to_string(i), on);
     tooltip(w.help());
   }
   return changed;

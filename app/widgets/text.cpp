@@ -1,6 +1,7 @@
 #include "app/widgets/text.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pf::app {
 
@@ -103,10 +104,44 @@ bool flow_button(const char* label, bool first) {
   return ImGui::Button(label);
 }
 
+namespace {
+/// Without it an empty box or circle is hardly seen.
+void push_outline() {
+  ImVec4 color = ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled);
+  color.w *= 0.8F;
+  ImGui::PushStyleColor(ImGuiCol_Border, color);
+  ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, std::max(1.0F, std::floor(em(0.07F))));
+}
+void pop_outline() {
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+}
+}  // namespace
+
+bool tick_box(const char* label, bool* value) {
+  push_outline();
+  const bool changed = ImGui::Checkbox(label, value);
+  pop_outline();
+  return changed;
+}
+
+bool outlined_radio(const char* label, bool chosen) {
+  push_outline();
+  const bool pressed = ImGui::RadioButton(label, chosen);
+  pop_outline();
+  return pressed;
+}
+
+bool outlined_radio(const char* label, int* choice, int value) {
+  const bool pressed = outlined_radio(label, *choice == value);
+  if (pressed) *choice = value;
+  return pressed;
+}
+
 bool checkbox(const char* id, std::string_view label, bool* value) {
   ImGui::PushID(id);
   ImGui::BeginGroup();
-  bool changed = ImGui::Checkbox("##box", value);
+  bool changed = tick_box("##box", value);
   ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
   ImGui::AlignTextToFramePadding();
   paragraph(label);

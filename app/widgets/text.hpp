@@ -34,6 +34,10 @@ bool text_button(const char* label);
 /// A framed button whose label always fits: as wide as it needs, on the current line if there is room, else on
 /// the next.
 bool flow_button(const char* label, bool first);
+/// ImGui's, with outlines.
+bool tick_box(const char* label, bool* value);
+bool outlined_radio(const char* label, bool chosen);
+bool outlined_radio(const char* label, int* choice, int value);
 /// Like ImGui::Checkbox, the label wrapped.
 bool checkbox(const char* id, std::string_view label, bool* value);
 /// A thin bar over the whole width, `share` of it filled.
