@@ -158,7 +158,7 @@ void draw_bottom_drawer(AppContext& context) {
   // A closed drawer is its tabs alone.
   const float room = ImGui::GetContentRegionAvail().y;
   const bool open = shown != plots.end() && room > em(4);
-  if (!open && room > em(1.2F)) muted("Drag the drawer higher to see more.");
+  if (!open && room > em(1)) muted("Drag the drawer higher to see more.");
   context.session.set_ledger(open && (*shown)->draw == draw_balance_plot);
   if (open) {
     ImGui::PushID((*shown)->title);

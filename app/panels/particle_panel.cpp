@@ -61,7 +61,8 @@ void draw_nodes(AppContext& context, const ParticleLook& look, int d) {
       const float left = ImGui::GetCursorPosX();
       const std::string id = "##" + index_text(n.node, d);
       if (ImGui::Selectable(id.c_str(), context.selected_node == n.node)) context.selected_node = n.node;
-      ImGui::SameLine(left);
+      ImGui::SameLine();
+      ImGui::SetCursorPosX(left);
       property("w of " + index_text(n.node, d), quantity(n.w, "", 3));
       property("\xe2\x88\x87w [1/m]", vector_text(n.grad, d, "", 2));
     }
