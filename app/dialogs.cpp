@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/theme.hpp"
+#include "app/widgets/text.hpp"
 #include "app/workbench.hpp"
 #include "core/build_info.hpp"
 
@@ -20,8 +21,8 @@ bool begin_modal(const char* title, bool* wanted, float width_em, float height_e
   ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({width, height_em > 0 ? std::min(height_em * em, 0.9f * display.y) : 0});
   ImGui::SetNextWindowSizeConstraints({width, 0}, {width, 0.92f * display.y});
-  return ImGui::BeginPopupModal(title, nullptr,
-                                ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+  return begin_titled_modal(title,
+                            ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
 }
 
 /// The key that opened a dialog does not answer it, too.
@@ -212,7 +213,6 @@ void Workbench::draw_about() {
   line("Commit", build.commit);
   line("Compiler", build.compiler);
   line("Flags", build.flags);
-  if (!context_.status.solver_choice.empty()) line("Solver", context_.status.solver_choice);
   ImGui::Dummy({0, 0.5f * em});
   if (close_button()) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();

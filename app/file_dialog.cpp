@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/theme.hpp"
+#include "app/widgets/text.hpp"
 
 namespace pf::app {
 namespace {
@@ -140,7 +141,7 @@ void FileDialog::draw() {
   ImGui::SetNextWindowSize({std::min(46 * em, 0.94f * display.x), std::min(32 * em, 0.9f * display.y)});
   ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
   const auto flags = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
-  if (!ImGui::BeginPopupModal(title.c_str(), nullptr, flags)) {
+  if (!begin_titled_modal(title.c_str(), flags)) {
     open_ = false;
     return;
   }

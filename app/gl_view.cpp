@@ -8,7 +8,9 @@
 
 #include "app/compare/desk.hpp"
 #include "app/imgui_painter.hpp"
+#include "app/inside/marks.hpp"
 #include "app/inside/overlay.hpp"
+#include "app/inside/slow_overlay.hpp"
 #include "app/inside/step_player.hpp"
 #include "app/outline/outlines.hpp"
 #include "app/outline/probe_marks.hpp"
@@ -325,6 +327,10 @@ void GlView::draw_overlay(AppContext& context, ImDrawList& list) {
   if (where_.height < lowest_with_lying_legend * scale && tool() != nullptr && tool()->has_options())
     info.color_bar = false;
   if (context.view.show_histogram) info.histogram = counts(context, info);
+  if (context.slow) {
+    info.force_metres_per_newton = slow_force_scale(*context.slow);
+    info.force_color = mark_red;
+  }
   const Point2 low{where_.x / scale, where_.y / scale}, high{where_.right() / scale, where_.bottom() / scale};
   pf::draw_overlay(info, options.theme, scaled, low, high);
   color_bar_.draw(context, info, low, high, scale, list);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <string>
 
 #include "core/charts/ticks.hpp"
 #include "render/color_bar.hpp"
@@ -104,12 +106,17 @@ float draw_axes(const OverlayInfo& info, const RenderTheme& theme, Painter& pain
   return origin.x + axis_length + 30;
 }
 
-float draw_scale_bar(const OverlayInfo& info, const RenderTheme& theme, Painter& painter, float x, float y,
-                     float longest) {
+/// At the camera's focus in 3D.
+double painted_units_per_metre(const OverlayInfo& info) {
   const auto* flat = std::get_if<Camera2D>(&info.camera);
   const double pixels_per_metre =
       flat ? flat->pixels_per_metre : std::get<OrbitCamera>(info.camera).pixels_per_metre(info.size);
-  const double units_per_metre = pixels_per_metre / info.pixel_scale;
+  return pixels_per_metre / info.pixel_scale;
+}
+
+float draw_scale_bar(const OverlayInfo& info, const RenderTheme& theme, Painter& painter, float x, float y,
+                     float longest) {
+  const double units_per_metre = painted_units_per_metre(info);
   const RoundLength length = round_length(static_cast<double>(longest) / units_per_metre);
   const auto width = static_cast<float>(length.metres * units_per_metre);
   const std::array bar{Point2{x, y - 5}, Point2{x, y}, Point2{x + width, y}, Point2{x + width, y - 5}};
@@ -124,14 +131,23 @@ double round_below(double most) {
   return power * (most >= 5 * power ? 5 : most >= 2 * power ? 2 : 1);
 }
 
-/// Returns the x where the next thing may begin.
-float draw_arrow_key(const OverlayInfo& info, const RenderTheme& theme, Painter& painter, float x, float y) {
-  const double units_per_speed = info.arrow_pixels_per_speed / info.pixel_scale;
-  if (!(units_per_speed > 0)) return x;
-  const double speed = round_below(70 / units_per_speed);
-  const auto length = static_cast<float>(speed * units_per_speed);
-  arrow(painter, theme, {x, y - 2}, {x + length, y - 2}, theme.arrow);
-  const std::string text = number_text(speed, 2) + " m/s";
+/// "20 kPa".
+std::string with_prefix(double value, const char* unit) {
+  constexpr std::array prefixes{std::pair{1e9, "G"},  std::pair{1e6, "M"},  std::pair{1e3, "k"}, std::pair{1.0, ""},
+                                std::pair{1e-3, "m"}, std::pair{1e-6, "µ"}, std::pair{1e-9, "n"}};
+  for (const auto& [size, prefix] : prefixes)
+    if (value >= 0.999 * size) return number_text(value / size, 1) + " " + prefix + unit;
+  return number_text(value, 1) + " " + unit;
+}
+
+/// An arrow of at most 70 units and what it stands for. Returns the x where the next thing may begin.
+float draw_arrow_key(double units_each, Color color, const std::function<std::string(double)>& words,
+                     const RenderTheme& theme, Painter& painter, float x, float y) {
+  if (!(units_each > 0)) return x;
+  const double value = round_below(70 / units_each);
+  const auto length = static_cast<float>(value * units_each);
+  arrow(painter, theme, {x, y - 2}, {x + length, y - 2}, color);
+  const std::string text = words(value);
   text_with_rim(painter, theme, {x, y - 11}, text, small_size, theme.text);
   return x + std::max(length, painter.text_width(text, small_size)) + 32;
 }
@@ -141,13 +157,7 @@ void draw_cross_key(const OverlayInfo& info, const RenderTheme& theme, Painter& 
   if (!(units_per_pascal > 0)) return;
   const double stress = round_below(40 / units_per_pascal);
   const auto length = static_cast<float>(stress * units_per_pascal);
-  constexpr std::array prefixes{std::pair{1e9, "GPa"}, std::pair{1e6, "MPa"}, std::pair{1e3, "kPa"}};
-  std::string text = number_text(stress, 2) + " Pa";
-  for (const auto& [size, unit] : prefixes)
-    if (stress >= 0.999 * size) {
-      text = number_text(stress / size, 2) + " " + unit;
-      break;
-    }
+  std::string text = with_prefix(stress, "Pa");
   float at = x;
   for (const auto& [color, name] : {std::pair{tension_color(theme), std::string("tension")},
                                     {compression_color(theme), std::string("compression")}}) {
@@ -229,7 +239,12 @@ void draw_overlay(const OverlayInfo& info, const RenderTheme& theme, Painter& pa
     x = begin;
     y -= 34;
   }
-  x = draw_arrow_key(info, theme, painter, x, y);
+  x = draw_arrow_key(
+      info.arrow_pixels_per_speed / info.pixel_scale, theme.arrow,
+      [](double speed) { return number_text(speed, 1) + " m/s"; }, theme, painter, x, y);
+  x = draw_arrow_key(
+      info.force_metres_per_newton * painted_units_per_metre(info), info.force_color,
+      [](double force) { return with_prefix(force, "N"); }, theme, painter, x, y);
   draw_cross_key(info, theme, painter, x, y);
   painter.pop_clip();
 }

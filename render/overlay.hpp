@@ -25,6 +25,8 @@ struct OverlayInfo {
   float pixel_scale = 1;               ///< framebuffer pixels a unit of the painter
   double arrow_pixels_per_speed = 0;   ///< Renderer::arrow_pixels_per_speed(); 0: no key to arrows
   double cross_pixels_per_pascal = 0;  ///< Renderer::cross_pixels_per_pascal(); 0: no key to crosses
+  double force_metres_per_newton = 0;  ///< length of arrows of forces drawn over the view; 0: no key to them
+  Color force_color;
   ColorScale scale = ColorScale::from_zero;
   std::vector<float> histogram;  ///< counts from the lower end of the bar to the upper; empty: none is shown
   bool color_bar = true, scale_bar = true, axes = true, clock = true;

@@ -132,7 +132,8 @@ void Comparison::publish(bool news) {
       if (k == 0) first = snapshot;
       std::vector<float> values = first ? distances(*snapshot, *first) : std::vector<float>();
       if (!values.empty()) frame.distance = summed(*snapshot, values, k);
-      if (news && frame.distance && lane.failure.empty()) apart.push_back(*frame.distance);
+      const bool first_time = lane.apart.empty() && lanes_.level();
+      if ((news || first_time) && frame.distance && lane.failure.empty()) apart.push_back(*frame.distance);
       if (distance_) {
         values.resize(snapshot->particles);
         snapshot->field[static_cast<std::size_t>(Field::error)] = std::move(values);

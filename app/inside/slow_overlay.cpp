@@ -49,19 +49,6 @@ void draw_masses(const Scenery& s, double share) {
   }
 }
 
-/// Arrows of a force on every node; the longest is one cell.
-void draw_forces(const Scenery& s, const std::vector<double>& force, double largest, Color color) {
-  if (!(largest > 0)) return;
-  for (std::size_t i = 0; i < s.record().nodes(); ++i) {
-    const Vec3 f = entry(force, i, s.record().dimension);
-    if (!s.player.draws(i)) continue;
-    if (f.norm() < 0.02 * largest) continue;
-    const Vec3 x = s.place(i);
-    const auto from = s.map.to_pixel(x), to = s.map.to_pixel(x + 1.2 * s.record().spacing / largest * f);
-    if (from && to) mark_arrow(s.painter, *from, *to, color, 0.75F * s.em);
-  }
-}
-
 double largest_of(const std::vector<double>& values, int dimension) {
   double most = 0;
   for (std::size_t i = 0; i * static_cast<std::size_t>(dimension) < values.size(); ++i)
@@ -106,12 +93,59 @@ void draw_watched_node(const Scenery& s) {
   s.painter.ring(*at, 0.6F * s.em, mark_green, 0.17F * s.em);
 }
 
-void draw_residuals(const Scenery& s, const IterateRecord& it) {
-  const double first = largest_of(s.record().iterates.front().residual, s.record().dimension);
-  draw_forces(s, it.residual, first, mark_red);
+/// What arrows show now: a force on every node, and the one whose arrow is longest.
+struct ShownForces {
+  std::vector<double> force;
+  double largest = 0;
+};
+
+ShownForces shown_forces(const StepPlayer& player) {
+  const StepRecord& record = player.record();
+  const Phase& phase = player.phase();
+  const bool arrived = player.motion() >= 0.97;
+  const auto residual = [&](std::size_t k) {
+    return ShownForces{record.iterates[k].residual, largest_of(record.iterates.front().residual, record.dimension)};
+  };
+  switch (phase.kind) {
+    case PhaseKind::guess:
+      return arrived ? residual(0) : ShownForces{};
+    case PhaseKind::iterate:
+      return residual(arrived ? phase.iterate : phase.iterate - 1);
+    case PhaseKind::kick: {
+      std::vector<double> total = record.internal_start;
+      for (std::size_t k = 0; k < total.size(); ++k) total[k] += record.external_start[k];
+      const double largest = largest_of(total, record.dimension);
+      return {std::move(total), largest};
+    }
+    default:
+      return {};
+  }
+}
+
+/// Length of an arrow [m/N]; 0: none is drawn. The longest is a little more than a cell.
+double arrow_scale(const StepPlayer& player, const ShownForces& shown) {
+  return shown.largest > 0 ? 1.2 * player.record().spacing / shown.largest : 0;
+}
+
+void draw_forces(const Scenery& s) {
+  const ShownForces shown = shown_forces(s.player);
+  const double scale = arrow_scale(s.player, shown);
+  if (!(scale > 0)) return;
+  for (std::size_t i = 0; i < s.record().nodes(); ++i) {
+    const Vec3 f = entry(shown.force, i, s.record().dimension);
+    if (!s.player.draws(i)) continue;
+    if (f.norm() < 0.02 * shown.largest) continue;
+    const Vec3 x = s.place(i);
+    const auto from = s.map.to_pixel(x), to = s.map.to_pixel(x + scale * f);
+    if (from && to) mark_arrow(s.painter, *from, *to, mark_red, 0.75F * s.em);
+  }
 }
 
 }  // namespace
+
+double slow_force_scale(const StepPlayer& player) {
+  return arrow_scale(player, shown_forces(player));
+}
 
 void draw_slow_step(Painter& painter, const ViewMap& map, const AppContext& context) {
   const StepPlayer& player = *context.slow;
@@ -129,17 +163,10 @@ void draw_slow_step(Painter& painter, const ViewMap& map, const AppContext& cont
       draw_traffic(s, at, f, true);
       break;
     case PhaseKind::guess:
-      if (f > 0.97) draw_residuals(s, s.record().iterates[0]);
-      break;
     case PhaseKind::iterate:
-      draw_residuals(s, s.record().iterates[f < 0.97 ? phase.iterate - 1 : phase.iterate]);
+    case PhaseKind::kick:
+      draw_forces(s);
       break;
-    case PhaseKind::kick: {
-      std::vector<double> total = s.record().internal_start;
-      for (std::size_t k = 0; k < total.size(); ++k) total[k] += s.record().external_start[k];
-      draw_forces(s, total, largest_of(total, s.record().dimension), mark_red);
-      break;
-    }
     case PhaseKind::ride:
       draw_traffic(s, at, f, false);
       break;

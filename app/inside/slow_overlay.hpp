@@ -7,5 +7,7 @@
 namespace pf::app {
 
 void draw_slow_step(Painter& painter, const ViewMap& map, const AppContext& context);
+/// Length of its arrows of forces [m/N]; 0 while none are shown.
+double slow_force_scale(const StepPlayer& player);
 
 }  // namespace pf::app

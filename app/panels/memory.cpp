@@ -26,8 +26,9 @@ void follow_pins(AppContext& context, PanelMemory& m) {
   auto& pinned = m.plots.pinned;
   if (pinned.size() > context.pinned.size()) pinned.resize(context.pinned.size());
   while (pinned.size() < context.pinned.size()) {
-    pinned.push_back({as_run(m), {}});
-    pinned.back().curves.follow(context.pinned[pinned.size() - 1].reports);
+    const RunHistory& run = context.pinned[context.pinned.size() - 1 - pinned.size()];
+    pinned.insert(pinned.begin(), PinnedRun{as_run(m), {}});  // the newest stands first
+    pinned.front().curves.follow(run.reports);
   }
   if (pinned.empty()) {
     context.current.label.clear();

@@ -6,6 +6,7 @@
 
 #include "app/panels/numbers.hpp"
 #include "app/panels/panels.hpp"
+#include "app/theme.hpp"
 #include "app/widgets/text.hpp"
 #include "app/widgets/units.hpp"
 
@@ -43,7 +44,9 @@ void draw_node_panel(AppContext& context) {
   if (!context.selected_node) return;
   const int d = context.scene.dimension;
   ImGui::AlignTextToFramePadding();
+  ImGui::PushFont(bold_font());
   text_unformatted("Node " + index_text(*context.selected_node, d));
+  ImGui::PopFont();
   const float close = ImGui::CalcTextSize("Close").x + 2 * ImGui::GetStyle().FramePadding.x;
   ImGui::SameLine(ImGui::GetContentRegionMax().x - close);
   if (ImGui::Button("Close##node")) {

@@ -10,8 +10,10 @@
 #include "app/inside/shape_curves.hpp"
 #include "app/panels/numbers.hpp"
 #include "app/panels/panels.hpp"
+#include "app/theme.hpp"
 #include "app/widgets/text.hpp"
 #include "app/widgets/units.hpp"
+#include "core/charts/ticks.hpp"
 
 namespace pf::app {
 
@@ -33,7 +35,7 @@ void draw_stretch(const ParticleState& p, int d) {
     // In 2D the third stretch is 1 by plane strain and is left out: show the two in the plane.
     const Mat<2> plane = p.F.topLeftCorner<2, 2>();
     const double s = d == 3 ? svd.singularValues()[a] : Eigen::JacobiSVD<Mat<2>>(plane).singularValues()[a];
-    stretches += (a > 0 ? "  " : "") + quantity(s, "");
+    stretches += (a > 0 ? "  " : "") + number_text(s, 4);
   }
   property("Principal stretches", stretches);
 }
@@ -97,7 +99,9 @@ void draw_particle_panel(AppContext& context) {
   if (!context.selected_particle) return;
   const std::string title = "Particle " + std::to_string(*context.selected_particle);
   ImGui::AlignTextToFramePadding();
+  ImGui::PushFont(bold_font());
   text_unformatted(title);
+  ImGui::PopFont();
   const float close = ImGui::CalcTextSize("Close").x + 2 * ImGui::GetStyle().FramePadding.x;
   ImGui::SameLine(ImGui::GetContentRegionMax().x - close);
   if (ImGui::Button("Close")) {

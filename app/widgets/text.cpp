@@ -1,7 +1,11 @@
 #include "app/widgets/text.hpp"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "app/theme.hpp"
 
 namespace pf::app {
 
@@ -173,6 +177,15 @@ void progress_bar(double share) {
   if (done >= height)
     draw.AddRectFilled(at, ImVec2(at.x + done, at.y + height), ImGui::GetColorU32(ImGuiCol_CheckMark), height / 2);
   ImGui::Dummy(ImVec2(width, height));
+}
+
+bool begin_titled_modal(const char* title, int flags) {
+  // Not PushFont: what it leaves on one window's list of drawing would have to be taken from the same.
+  ImFont* const letters = ImGui::GetFont();
+  ImGui::SetCurrentFont(bold_font());
+  const bool open = ImGui::BeginPopupModal(title, nullptr, flags);
+  ImGui::SetCurrentFont(letters);
+  return open;
 }
 
 }  // namespace pf::app

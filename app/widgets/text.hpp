@@ -45,6 +45,9 @@ void progress_bar(double share);
 /// Starts a group that can be folded; closed at first unless `open`.
 bool foldable(const char* label, bool open = false);
 
+/// ImGui::BeginPopupModal with its title in bold letters.
+bool begin_titled_modal(const char* title, int flags);
+
 inline void text_unformatted(std::string_view text) {
   ImGui::TextUnformatted(text.data(), text.data() + text.size());
 }

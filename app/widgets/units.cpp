@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/charts/ticks.hpp"
 #include "core/math/expression.hpp"
 
 namespace pf::app {
@@ -26,10 +27,43 @@ bool takes_prefix(std::string_view unit) {
   return std::find(whole.begin(), whole.end(), unit) != whole.end() || unit.starts_with("J/");
 }
 
-/// A true minus sign, as charts have it.
-std::string with_minus(std::string text) {
+/// A true minus sign and a power of ten, as charts have them.
+std::string for_people(std::string text) {
+  if (const std::size_t e = text.find('e'); e != std::string::npos && e > 0) {
+    const std::string power = power_of_ten(std::stoi(text.substr(e + 1)));
+    text.resize(e);
+    text = text == "1" || text == "-1" ? text.substr(0, text.size() - 1) + power : text + "\xc3\x97" + power;
+  }
   for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at)) text.replace(at, 1, minus);
   return text;
+}
+
+/// The other way: "4.5×10⁻⁷" as "4.5e-7", "10³" as "1e3".
+std::string for_machines(std::string text) {
+  constexpr std::array<std::string_view, 10> superscripts{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  constexpr std::string_view times = "×", raised_minus = "⁻";
+  std::string out;
+  bool raised = false;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::string_view rest = std::string_view(text).substr(i);
+    const auto digit =
+        std::find_if(superscripts.begin(), superscripts.end(), [&](std::string_view d) { return rest.starts_with(d); });
+    const bool sign = rest.starts_with(raised_minus);
+    if (!sign && digit == superscripts.end()) {
+      raised = false;
+      const std::string_view taken = rest.starts_with(times)   ? times
+                                     : rest.starts_with(minus) ? minus
+                                                               : rest.substr(0, 1);
+      out += taken == times ? "*" : taken == minus ? "-" : taken;
+      i += taken.size();
+      continue;
+    }
+    if (!raised) out += '^';
+    raised = true;
+    out += sign ? std::string("-") : std::to_string(digit - superscripts.begin());
+    i += sign ? raised_minus.size() : digit->size();
+  }
+  return out;
 }
 
 /// printf's %g without the exponent's leading zeros and plus sign.
@@ -53,11 +87,8 @@ std::string_view trimmed(std::string_view text) {
 
 std::optional<double> number_in(std::string_view typed) {
   if (typed.empty()) return std::nullopt;
-  std::string text(typed);
-  for (std::size_t at = text.find(minus); at != std::string::npos; at = text.find(minus))
-    text.replace(at, minus.size(), "-");
   try {
-    const Expression expression = Expression::compile(text, {}, mask_none);
+    const Expression expression = Expression::compile(for_machines(std::string(typed)), {}, mask_none);
     const std::array<double, variable_count> none{};
     const double value = expression(none);
     if (std::isfinite(value)) return value;
@@ -94,15 +125,15 @@ std::string plain_number(double value) {
 
 std::string quantity(double value, std::string_view unit, int digits) {
   if (std::isnan(value)) return "not a number";
-  if (std::isinf(value)) return with_minus(value < 0 ? "-infinity" : "infinity");
+  if (std::isinf(value)) return for_people(value < 0 ? "-infinity" : "infinity");
   if (unit.empty()) {
     const double size = std::abs(value);
     // Plain notation up to a million; whole numbers keep all their digits.
-    if (size >= 1 && size < 1e6 && value == std::round(value)) return with_minus(shortest(value, 7));
-    return with_minus(shortest(value, digits));
+    if (size >= 1 && size < 1e6 && value == std::round(value)) return for_people(shortest(value, 7));
+    return for_people(shortest(value, digits));
   }
   const std::string text = pretty_unit(unit);
-  if (!takes_prefix(unit) || value == 0) return with_minus(shortest(value, digits)) + " " + text;
+  if (!takes_prefix(unit) || value == 0) return for_people(shortest(value, digits)) + " " + text;
   const double size = std::abs(rounded(value, digits));
   const Prefix* chosen = &prefixes.back();
   for (const Prefix& p : prefixes)
@@ -113,8 +144,8 @@ std::string quantity(double value, std::string_view unit, int digits) {
   if (chosen->factor > 1 && unit == "s") chosen = &prefixes[3];  // nobody counts in kiloseconds
   // Lengths and times a little below one read better undivided: 0.5 m, 0.25 s.
   if (chosen->factor == 1e-3 && size >= 0.1 && (unit == "m" || unit == "s")) chosen = &prefixes[3];
-  if (chosen == &prefixes.back() && size < 1e-12) return with_minus(shortest(value, digits)) + " " + text;
-  return with_minus(shortest(value / chosen->factor, digits)) + " " + std::string(chosen->text) + text;
+  if (chosen == &prefixes.back() && size < 1e-12) return for_people(shortest(value, digits)) + " " + text;
+  return for_people(shortest(value / chosen->factor, digits)) + " " + std::string(chosen->text) + text;
 }
 
 std::optional<double> parse_quantity(std::string_view text, std::string_view unit) {

@@ -37,6 +37,8 @@ std::string number(double x) {
 
 /// Halvings of dt before a step is given up.
 constexpr int most_retries = 12;
+/// A step this much shorter than the one asked for leads nowhere: a run that has blown up would creep on for ever.
+constexpr double shortest_part = 1e-9;
 /// A particle that crosses this many cells in one step has run away.
 constexpr double runaway_cells = 1000;
 
@@ -83,7 +85,8 @@ const StepReport& SimulationOf<D>::step(const std::atomic<bool>* cancel) {
       returned_.failure = attempt.reason;
       return returned_;
     }
-    if (retry == most_retries) {
+    const StepChoice shorter = control_->retry(choice);
+    if (retry == most_retries || shorter.dt < shortest_part * scene_.time.step) {
       control_->restore();
       returned_.status = StepStatus::failed;
       returned_.retries = retry;
@@ -93,7 +96,7 @@ const StepReport& SimulationOf<D>::step(const std::atomic<bool>* cancel) {
           "finer grid, a less extreme material or load.";
       return returned_;
     }
-    choice = control_->retry(choice);
+    choice = shorter;
     ++retry;
     returned_.warnings.push_back("Step " + std::to_string(accepted_.step + 1) + " at t = " + number(time_) +
                                  " s: " + attempt.reason + " Retried with dt = " + number(choice.dt) + " s.");

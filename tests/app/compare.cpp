@@ -118,7 +118,7 @@ TEST_CASE("keys drive all lanes in step, and what has no meaning for several is 
   CHECK(desk.frame->lanes[1].distance->rms > 0);
   CHECK(desk.curves[0].time.size() == 1 + 3);
   CHECK(desk.curves[1].step_time.size() == 6);
-  CHECK(desk.curves[1].rms.size() == 3);
+  CHECK(desk.curves[1].rms.size() == 1 + 3);
   for (const Action action : {Action::step_back, Action::bad_step, Action::branch, Action::slow_step})
     CHECK_FALSE(stage->possible(action));
   stage->act(Action::run_pause);

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <thread>
 
+#include "app/panels/memory.hpp"
 #include "app/theme.hpp"
 #include "core/assets.hpp"
 #include "core/charts/image.hpp"
@@ -211,6 +212,17 @@ TEST_CASE("pinned curves stay while the next run is drawn") {
   REQUIRE(context.pinned.size() == 1);
   CHECK(context.pinned[0].pinned);
   CHECK(context.pinned[0].reports.size() == 4);
+  REQUIRE(stage.steps(2));
+  context.pin();
+  stage.frames(3);
+  REQUIRE(context.pinned.size() == 2);
+  const auto& kept = memory(context).plots.pinned;
+  REQUIRE(kept.size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) {  // each run's curves are its own, the newest first
+    CAPTURE(i);
+    CHECK(context.pinned[i].reports.size() == 4 - (1 - i));
+    CHECK(kept[i].curves.size() == context.pinned[i].reports.size());
+  }
 }
 
 TEST_CASE("nothing is cut sideways at any scale, in both themes") {

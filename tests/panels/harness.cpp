@@ -102,7 +102,7 @@ void fill(AppContext& context, const Scene& scene) {
     return true;
   };
   context.open_file = [](const std::filesystem::path&) {};
-  context.pin = [&context] { context.pinned.push_back(context.current); };
+  context.pin = [&context] { context.pinned.push_front(context.current); };
 }
 
 Harness::Harness(const Scene& scene, Theme theme, float scale) : session(1, no_simulation), context(session) {

@@ -19,9 +19,9 @@ TEST_CASE("quantities are written with sensible digits and SI prefixes") {
   CHECK(quantity(1000, "kg/m^3") == "1000 kg/m\xc2\xb3");
   CHECK(quantity(12345.6, "J/m\xc2\xb3") == "12.35 kJ/m\xc2\xb3");
   CHECK(quantity(0, "Pa") == "0 Pa");
-  CHECK(quantity(1e-6, "") ==
-        "1e\xe2\x88\x92"
-        "6");
+  CHECK(quantity(1e-6, "") == "10⁻⁶");
+  CHECK(quantity(-4.5e-7, "") == "−4.5×10⁻⁷");
+  CHECK(quantity(2.18e6, "kg/m^3") == "2.18×10⁶ kg/m³");
   CHECK(quantity(0.95, "") == "0.95");
   CHECK(quantity(123456, "") == "123456");
   CHECK(quantity(999999.9, "Pa") == "1 MPa");  // rounding carries into the next prefix
@@ -41,7 +41,9 @@ TEST_CASE("typed values may carry a prefix, the unit, or be a sum") {
   CHECK(parse_quantity("-9.81 m/s\xc2\xb2", "m/s^2") == -9.81);
   CHECK(parse_quantity("\xe2\x88\x92"
                        "3",
-                       "Pa") == -3.0);  // a true minus, copied from what is shown
+                       "Pa") == -3.0);                         // a true minus, copied from what is shown
+  CHECK(parse_quantity("10⁻⁶", "") == doctest::Approx(1e-6));  // and so a power of ten
+  CHECK(parse_quantity("−4.5×10¹² m", "m") == doctest::Approx(-4.5e12));
   CHECK(parse_quantity("5 m", "m") == 5.0);
   CHECK_FALSE(parse_quantity("", "Pa"));
   CHECK_FALSE(parse_quantity("soft", "Pa"));

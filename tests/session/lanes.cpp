@@ -199,7 +199,7 @@ TEST_CASE("the thread plays, steps, edits and resets all lanes together") {
   CHECK(colored.size() == frame->lanes[1].snapshot->particles);
   ComparisonNews news = comparison.news();
   CHECK(news.samples.size() == 21 + 81 + 21);
-  CHECK(news.distances.size() == 60);
+  CHECK(news.distances.size() == 3 * 21);
   comparison.reset();
   REQUIRE(wait_for([&] { return comparison.status().frame == 0; }));
   comparison.set_lanes(ball(), {});

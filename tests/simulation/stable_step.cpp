@@ -1,6 +1,7 @@
 // How long an explicit step may be: what the grid's highest frequency predicts against what runs do.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "core/bases/basis.hpp"
@@ -83,5 +84,24 @@ TEST_CASE("an explicit run that is taken up again tells the same energy, and goe
     CHECK(second->report().balance.kinetic == first->report().balance.kinetic);
     test::run(*first, 1);
     test::run(*second, 1);
+  }
+}
+
+TEST_CASE("a run that blows up ends: it does not creep on by ever shorter steps") {
+  for (const double step : {0.0042, 0.0045, 0.005, 0.006, 0.007, 0.008}) {
+    CAPTURE(step);
+    test::Json scene = swinging_bar("linear", step);
+    scene["materials"]["m"] = {{"model", "neo_hookean"}, {"density", 1000}, {"young", 1e5}, {"poisson", 0.3}};
+    const auto simulation = test::start(scene);
+    double shortest = step;
+    StepReport report = simulation->report();
+    for (int k = 0; k < 20000 && report.status != StepStatus::failed; ++k) {
+      report = simulation->step();
+      if (report.status == StepStatus::accepted) shortest = std::min(shortest, report.dt);
+    }
+    CHECK(report.status == StepStatus::failed);
+    CHECK(report.failure.find("did not help") != std::string::npos);
+    CHECK(report.time < 1);
+    CHECK(shortest >= 1e-9 * step);
   }
 }
