@@ -105,8 +105,8 @@ void Session::Worker::tell_target() {
 void Session::Worker::arrive() {
   if (!target_ || simulation_->report().step < *target_) return;
   target_.reset();
+  publish();  // first the picture, then the word that it is there
   tell_target();
-  publish();
   restart_pacing();
   if (waiting_edit_) handle(*std::exchange(waiting_edit_, std::nullopt));
 }

@@ -39,13 +39,13 @@ std::string for_people(std::string text) {
 }
 
 /// The other way: "4.5×10⁻⁷" as "4.5e-7", "10³" as "1e3".
-std::string for_machines(std::string text) {
+std::string for_machines(std::string_view text) {
   constexpr std::array<std::string_view, 10> superscripts{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   constexpr std::string_view times = "×", raised_minus = "⁻";
   std::string out;
   bool raised = false;
   for (std::size_t i = 0; i < text.size();) {
-    const std::string_view rest = std::string_view(text).substr(i);
+    const std::string_view rest = text.substr(i);
     const auto digit =
         std::find_if(superscripts.begin(), superscripts.end(), [&](std::string_view d) { return rest.starts_with(d); });
     const bool sign = rest.starts_with(raised_minus);
@@ -88,7 +88,7 @@ std::string_view trimmed(std::string_view text) {
 std::optional<double> number_in(std::string_view typed) {
   if (typed.empty()) return std::nullopt;
   try {
-    const Expression expression = Expression::compile(for_machines(std::string(typed)), {}, mask_none);
+    const Expression expression = Expression::compile(for_machines(typed), {}, mask_none);
     const std::array<double, variable_count> none{};
     const double value = expression(none);
     if (std::isfinite(value)) return value;

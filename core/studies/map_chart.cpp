@@ -242,7 +242,8 @@ std::vector<StudyFigure> map_figures(const Study& study, std::span<const StudyRo
     for (const bool across : {true, false}) {
       const StudyAxis& axis = study.axes[across ? axes.x : axes.y];
       const auto [title, unit] = column_title(study, axis.key);
-      (across ? chart.x : chart.y) = {.title = title, .unit = unit, .scale = MapAxis(axis).scale()};
+      const MapAxis map(axis);
+      (across ? chart.x : chart.y) = {.title = title, .unit = unit, .scale = map.scale()};
     }
     add_cells(study, panel, axes, scale, *column, figure);
     chart.x.min = chart.y.min = INFINITY;

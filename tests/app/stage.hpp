@@ -62,6 +62,7 @@ struct Stage {
     return true;
   }
   bool ready() {
+    frames(1);  // what was asked for last is known from then on
     return until([this] { return context().snapshot && context().status.state != RunState::loading; });
   }
   bool steps(long count) {
