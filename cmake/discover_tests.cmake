@@ -1,4 +1,5 @@
-# Asks EXECUTABLE (doctest) for its test cases and writes OUTPUT: one ctest test each, named "FOLDER: case".
+# Asks EXECUTABLE (doctest) for its test cases and writes OUTPUT: one ctest test each, named "FOLDER: case", given up
+# after LIMIT seconds.
 execute_process(COMMAND ${EXECUTABLE} --list-test-cases --reporters=xml OUTPUT_VARIABLE listing RESULT_VARIABLE failed)
 if(failed)
   message(FATAL_ERROR "${EXECUTABLE} could not list its test cases: ${failed}")
@@ -30,11 +31,11 @@ foreach(case ${cases})
   string(REPLACE "," "\\," filter "${case_name}")  # a bare comma separates filters
   set(test "[==[${FOLDER}: ${case_name}]==]")
   string(APPEND script "add_test(${test} [==[${EXECUTABLE}]==] [==[--test-case=${filter}]==] --no-intro)\n")
-  set(properties "TIMEOUT 300")
+  set(properties "TIMEOUT ${LIMIT}")
   if(suite STREQUAL "long")
     set(properties "TIMEOUT 3600 LABELS long")
   elseif(suite STREQUAL "timing")
-    set(properties "TIMEOUT 300 LABELS timing RUN_SERIAL TRUE")
+    set(properties "TIMEOUT ${LIMIT} LABELS timing RUN_SERIAL TRUE")
   endif()
   if(FOLDER STREQUAL "app")  # one display at a time: servers that start together take each other's number
     string(APPEND properties " RESOURCE_LOCK display")

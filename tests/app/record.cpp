@@ -8,31 +8,13 @@
 #include "core/output/export.hpp"
 #include "core/simulation.hpp"
 #include "tests/app/find_text.hpp"
+#include "tests/app/recorded.hpp"
 
 using namespace pf;
 using namespace pf::app;
 using namespace pf::app::staged;
 
 namespace {
-
-Scene short_fall() {
-  Scene scene = small();
-  scene.time.end = 0.05;  // ten steps
-  return scene;
-}
-
-std::vector<fs::path> files_in(const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-double time_of(const fs::path& png) {
-  for (const auto& [key, text] : read_png_text(png))
-    if (key == "Time") return std::atof(text.c_str());
-  return -1;
-}
 
 /// From the start to the end, as chosen.
 void record(Stage& stage) {

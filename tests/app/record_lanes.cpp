@@ -1,29 +1,16 @@
 // Pictures of lanes side by side: of each common time that is due, whatever the window is doing meanwhile.
-#include <algorithm>
 #include <cstdlib>
 
 #include "app/compare/desk.hpp"
 #include "core/charts/image.hpp"
 #include "tests/app/find_text.hpp"
+#include "tests/app/recorded.hpp"
 
 using namespace pf;
 using namespace pf::app;
 using namespace pf::app::staged;
 
 namespace {
-
-std::vector<fs::path> files_in(const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-double time_of(const fs::path& png) {
-  for (const auto& [key, text] : read_png_text(png))
-    if (key == "Time") return std::atof(text.c_str());
-  return -1;
-}
 
 /// Two lanes of ten common times, 5 ms apart.
 CompareDesk& started(Stage& stage) {
@@ -34,12 +21,6 @@ CompareDesk& started(Stage& stage) {
   stage->act(Action::fit);
   stage.frames(4);
   return desk;
-}
-
-Scene short_fall() {
-  Scene scene = small();
-  scene.time.end = 0.05;
-  return scene;
 }
 
 }  // namespace

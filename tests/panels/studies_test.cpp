@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <set>
 #include <thread>
 
 #include "app/panels/memory.hpp"
 #include "app/panels/panels.hpp"
 #include "app/studies/desk.hpp"
 #include "core/scene/scene_io.hpp"
+#include "core/studies/study.hpp"
 #include "tests/panels/harness.hpp"
 #include "tests/studies/small_study.hpp"
 #include "tests/temporary_folder.hpp"
@@ -172,11 +174,20 @@ TEST_CASE("a map is set up, fills, and a click on a cell opens its setting") {
   CHECK(d.desk().figures[0].cell.size() == 12);
   CHECK(d.says("youarehere"));
   check(d);
-  d.click({0.5F * (320 + d.size.x), 0.35F * d.size.y});
-  REQUIRE(d.desk().place);
-  const auto opened = d.desk().place->setting(*d.desk().results->study);
-  REQUIRE(opened);
-  CHECK_FALSE(d.h.context.scene == scene);
+  const Study& study = *d.desk().results->study;
+  std::set<std::size_t> opened;
+  for (const float across : {0.5F, 0.8F}) {
+    d.click({320 + across * (d.size.x - 320), 0.35F * d.size.y});
+    REQUIRE(d.desk().place);
+    const auto setting = d.desk().place->setting(study);
+    REQUIRE(setting);
+    opened.insert(*setting);
+    const std::vector<std::size_t> at = study_point(study, *setting).at;
+    const auto value = [&](std::size_t axis) { return study.axes[axis].values[at[axis]].edits.front().value; };
+    CHECK(d.h.context.scene.time.step == value(0).get<double>());
+    CHECK(to_json(d.h.context.scene)["materials"]["bar"]["young"] == value(1));
+  }
+  CHECK(opened.size() == 2);
 }
 
 TEST_CASE("every state shows all of its text at every size, without overlap") {
