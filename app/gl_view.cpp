@@ -100,7 +100,7 @@ ViewMargins GlView::margins() const {
   const double scale = static_cast<double>(overlay_scale() * pixels_per_unit_);
   const ViewMargins m = margins_ ? *margins_ : overlay_margins(dimension_, size_.width / scale, size_.height / scale);
   // The content keeps at least so much of each side.
-  constexpr double least = 0.4;
+  constexpr double least = 0.35;
   const auto shrunk = [&](double both, double side) {
     return both > 0 ? scale * std::min(1.0, (1 - least) * side / (scale * both)) : scale;
   };

@@ -156,7 +156,10 @@ void draw_switch(AppContext& context, StudyDesk& desk) {
     while (!words.empty() && (static_cast<unsigned char>(words.back()) & 0xc0) == 0x80) words.pop_back();
     if (!words.empty()) words.pop_back();
   }
-  if (words.size() > 4) muted(whole ? words : words + "…");
+  if (words.size() > 4)
+    muted(whole ? words : words + "…");
+  else
+    ImGui::NewLine();  // what follows stands below
 }
 
 }  // namespace
